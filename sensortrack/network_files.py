@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import csv
 import io
-import os
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from fractions import Fraction
+from pathlib import Path
+from stat import S_ISREG
 
 import numpy as np
 
@@ -79,16 +80,20 @@ def file_network(text: str, *, name: str | None = None, weight: str | None = Non
     from sensortrack.network_families import unknown_graph
     from sensortrack.network_graphml import graphml_network
 
-    if not os.path.exists(text):
-        raise unknown_graph(text)
-    label = os.path.basename(text) or text
-    if not os.path.isfile(text):
+    path = Path(text)
+    try:
+        regular = S_ISREG(path.stat().st_mode)
+    except (FileNotFoundError, NotADirectoryError, ValueError) as error:
+        raise unknown_graph(text) from error
+    except OSError as error:
+        raise _unreadable(path, error) from error
+    if not regular:
         raise InputError("graph", f"{text!r} is no regular file", "a GraphML or CSV file")
-    ending = os.path.splitext(text)[1].lower()
+    ending = path.suffix.lower()
     if ending == ".csv":
-        return csv_network(_content(text), label, name=name, weight=weight)
+        return csv_network(_content(path), path.name, name=name, weight=weight)
     if ending in (".graphml", ".xml"):
-        return graphml_network(_content(text), label, name=name, weight=weight)
+        return graphml_network(_content(path), path.name, name=name, weight=weight)
     needed = "a file called .graphml, .xml or .csv, by what it holds"
     raise InputError("graph", f"{text!r} ends in {ending or 'nothing'!r}", needed)
 
@@ -260,22 +265,26 @@ def chosen(names: Sequence[str], name: str | None, label: str) -> str:
     raise InputError("graph", found, "the name of one of its graphs", cure)
 
 
-def _content(path: str) -> str:
+def _unreadable(path: Path, error: OSError) -> InputError:
+    found = f"{str(path)[:100]!r} cannot be read ({error.strerror})"
+    return InputError("graph", found, "a file that may be read")
+
+
+def _content(path: Path) -> str:
     try:
-        with open(path, "rb") as file:
+        with path.open("rb") as file:
             data = file.read(MAX_BYTES + 1)
     except OSError as error:
-        found = f"{path!r} cannot be read ({error.strerror})"
-        raise InputError("graph", found, "a file that may be read") from error
+        raise _unreadable(path, error) from error
     if len(data) > MAX_BYTES:
-        raise InputError("graph", f"{path!r} is larger", f"at most {MAX_BYTES // 10**6} MB")
+        raise InputError("graph", f"{path.name} is larger", f"at most {MAX_BYTES // 10**6} MB")
     try:
         content = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        found = f"{path!r} is not UTF-8 (byte {error.start})"
+        found = f"{path.name} is not UTF-8 (byte {error.start})"
         raise InputError("graph", found, "a text file", "Save it with encoding UTF-8") from error
     if not content.strip():
-        raise InputError("graph", f"{path!r} is empty", "a graph")
+        raise InputError("graph", f"{path.name} is empty", "a graph")
     return content
 
 

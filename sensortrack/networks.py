@@ -358,7 +358,7 @@ def _checked_names(names: Sequence[str]) -> Sequence[str]:
         if len(set(names)) < len(names):
             name = Counter(names).most_common(1)[0][0]
             raise _bad(f"two nodes are called {name!r}", "a different name for every node")
-    if not len(names):
+    if not names:
         raise _bad("no node", "one node or more")
     return names
 
