@@ -1,0 +1,1 @@
+"""Proof and confrontation: printed claims decided, with certificates."""

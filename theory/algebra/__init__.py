@@ -1,0 +1,1 @@
+"""Mathematics that several systems share, each piece proved by an exact normal form."""

@@ -1,0 +1,1 @@
+"""Exact arithmetic: rationals, definiteness, roots, cuts and routings."""

@@ -1,0 +1,1 @@
+"""Linear matrix inequalities: solved in floating point, their residuals computed by us."""
