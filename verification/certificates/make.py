@@ -1,0 +1,97 @@
+"""Make a certificate: name the statement, add the witness, and let the checker have the last word."""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from sensortrack.errors import SensorTrackError
+
+from . import check
+
+Item = dict[str, Any]
+PRODUCER = "sensortrack 0.1"
+
+
+class CertificateError(SensorTrackError):
+    """The checker refuses what was made: the proof attempt failed at the witness."""
+
+
+@functools.cache
+def statements() -> dict[str, Any]:
+    """The committed ``statements.json``, by ``SYSTEM.NAME``."""
+    path = Path(__file__).with_name("statements.json")
+    return dict(json.loads(path.read_text(encoding="utf-8")))
+
+
+def plain(value: Any) -> Any:
+    """JSON form of exact data: rationals and large integers as text."""
+    if isinstance(value, Fraction):
+        return str(value)
+    if isinstance(value, int) and not isinstance(value, bool):
+        return value if abs(value) < 2**53 else str(value)
+    if isinstance(value, Mapping):
+        return {key: plain(entry) for key, entry in value.items()}
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return [plain(entry) for entry in value]
+    return value
+
+
+def certificate(
+    system: str,
+    name: str,
+    inputs: Mapping[str, Any],
+    witness: Sequence[Item],
+    case: str = "PROVED",
+    lower: Fraction | str | None = None,
+    upper: Fraction | str | None = None,
+) -> dict[str, Any]:
+    """Make the document of a certificate and validate it.
+
+    Parameters
+    ----------
+    system, name : str
+        The statement ``system.name`` of ``statements.json``.
+    inputs : mapping
+        The statement's data: rationals, nested lists of them, or a graph's ``to_data()``.
+    witness : sequence of dict
+        Witness items in the order in which the statement's predicates ask for them.
+    case : str, optional
+        Which case of the statement.
+    lower, upper : Fraction or str, optional
+        The ends of the certified interval, where the case has them.
+
+    Returns
+    -------
+    dict
+        The document, ready for JSON.
+
+    Raises
+    ------
+    CertificateError
+        The checker refuses it; the message is the checker's reason.
+    """
+    statement = statements()[f"{system}.{name}"]
+    document: dict[str, Any] = {
+        "format": check.FORMAT,
+        "system": system,
+        "name": name,
+        "digest": check.digest_of(statement),
+        "case": case,
+        "verdict": statement["cases"][case]["verdict"],
+        "inputs": plain(inputs),
+        "relies_on": statement["relies_on"],
+        "witness": plain(witness),
+        "about": {"producer": PRODUCER},
+    }
+    ends = {"lower": lower, "upper": upper}
+    document |= {end: plain(value) for end, value in ends.items() if value is not None}
+    try:
+        check.check_document(json.loads(json.dumps(document)), statements())
+    except check.Reject as error:
+        raise CertificateError(f"{system}.{name}: {error}") from error
+    return document
