@@ -80,6 +80,8 @@ def file_network(text: str, *, name: str | None = None, weight: str | None = Non
     from sensortrack.network_families import unknown_graph
     from sensortrack.network_graphml import graphml_network
 
+    if not text.strip():  # Path("") is the current directory
+        raise unknown_graph(text)
     path = Path(text)
     try:
         regular = S_ISREG(path.stat().st_mode)

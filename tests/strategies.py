@@ -17,27 +17,29 @@ def rationals(
     return st.fractions(smallest, largest, max_denominator=max_denominator)
 
 
-@st.composite
-def trees(draw: st.DrawFn, min_nodes: int = 1, max_nodes: int = 8, weighted: bool = False):
+def trees(
+    min_nodes: int = 1, max_nodes: int = 8, weighted: bool = False
+) -> st.SearchStrategy[Network]:
     """Networks without cycle, nodes and edges in shuffled order."""
-    return draw(_networks(min_nodes, max_nodes, weighted, extra=False))
+    return _connected(min_nodes, max_nodes, weighted, extra=False)
 
 
-@st.composite
 def connected_networks(
-    draw: st.DrawFn, min_nodes: int = 1, max_nodes: int = 8, weighted: bool = False
-):
+    min_nodes: int = 1, max_nodes: int = 8, weighted: bool = False
+) -> st.SearchStrategy[Network]:
     """Connected networks: a tree and any further edges, nodes and edges in shuffled order."""
-    return draw(_networks(min_nodes, max_nodes, weighted, extra=True))
+    return _connected(min_nodes, max_nodes, weighted, extra=True)
 
 
 @st.composite
-def networks(draw: st.DrawFn, min_nodes: int = 1, max_nodes: int = 8, weighted: bool = False):
+def networks(
+    draw: st.DrawFn, min_nodes: int = 1, max_nodes: int = 8, weighted: bool = False
+) -> Network:
     """Networks of any number of components, edgeless ones too."""
     n = draw(st.integers(min_nodes, max_nodes))
     pairs = [(i, j) for j in range(n) for i in range(j)]
-    chosen = draw(st.lists(st.sampled_from(pairs), unique=True)) if pairs else []
-    return _network(draw, n, chosen, weighted)
+    pairs_drawn = draw(st.lists(st.sampled_from(pairs), unique=True)) if pairs else []
+    return _network(draw, n, pairs_drawn, weighted)
 
 
 @st.composite
@@ -56,7 +58,9 @@ def definite_matrices(draw: st.DrawFn, n: int) -> Matrix:
 
 
 @st.composite
-def _networks(draw: st.DrawFn, min_nodes: int, max_nodes: int, weighted: bool, extra: bool):
+def _connected(
+    draw: st.DrawFn, min_nodes: int, max_nodes: int, weighted: bool, extra: bool
+) -> Network:
     n = draw(st.integers(min_nodes, max_nodes))
     order = draw(st.permutations(range(n)))
     tree = [(draw(st.integers(0, j - 1)), j) for j in range(1, n)]
