@@ -93,9 +93,9 @@ def file_network(text: str, *, name: str | None = None, weight: str | None = Non
         raise InputError("graph", f"{text!r} is no regular file", "a GraphML or CSV file")
     ending = path.suffix.lower()
     if ending == ".csv":
-        return csv_network(_content(path), path.name, name=name, weight=weight)
+        return csv_network(_content(path), printable(path.name), name=name, weight=weight)
     if ending in (".graphml", ".xml"):
-        return graphml_network(_content(path), path.name, name=name, weight=weight)
+        return graphml_network(_content(path), printable(path.name), name=name, weight=weight)
     needed = "a file called .graphml, .xml or .csv, by what it holds"
     raise InputError("graph", f"{text!r} ends in {ending or 'nothing'!r}", needed)
 
@@ -136,7 +136,7 @@ def csv_network(
     if graph is not None:
         name = chosen(_distinct(rows, graph, label), name, label)
         rows = [(line, row) for line, row in rows if row[graph] == name]
-        label = f"{label} ({name})"
+        label = f"{label} ({printable(name)})"
     elif name is not None:
         found = f"the name {name!r}, but {label} has no column 'graph'"
         raise InputError("graph", found, "a name only where that column tells graphs apart")
@@ -241,7 +241,7 @@ def check_weight(weight: str, known: Sequence[str], lacks: str) -> None:
     if weight not in known:
         near = get_close_matches(weight, known, n=1)
         needed = f"one of {', '.join(map(repr, known))}" if known else "a file with weights"
-        cure = f"Did you mean {near[0]}?" if near else ""
+        cure = f"Did you mean {printable(near[0])}?" if near else ""
         raise InputError("weight", f"{lacks} {weight!r}", needed, cure)
 
 
@@ -257,14 +257,19 @@ def chosen(names: Sequence[str], name: str | None, label: str) -> str:
         return names[0]
     if name is not None and name in names:
         return name
-    listed = ", ".join(names[:20]) + (", …" if len(names) > 20 else "")
+    listed = ", ".join(map(printable, names[:20])) + (", …" if len(names) > 20 else "")
     if name is None:
         found, cure = f"{label} holds {len(names)} graphs", f"Choose by --graph-name: {listed}"
     else:
         near = get_close_matches(name, names, n=1)
         found = f"{label} holds no graph {name!r}"
-        cure = f"Did you mean {near[0]}?\n" * len(near) + f"It holds: {listed}"
+        cure = "".join(f"Did you mean {printable(one)}?\n" for one in near) + f"It holds: {listed}"
     raise InputError("graph", found, "the name of one of its graphs", cure)
+
+
+def printable(text: str) -> str:
+    """Text as it is, or quoted if it holds what could play tricks with a terminal."""
+    return text if text.isprintable() else repr(text)
 
 
 def _unreadable(path: Path, error: OSError) -> InputError:
@@ -279,14 +284,16 @@ def _content(path: Path) -> str:
     except OSError as error:
         raise _unreadable(path, error) from error
     if len(data) > MAX_BYTES:
-        raise InputError("graph", f"{path.name} is larger", f"at most {MAX_BYTES // 10**6} MB")
+        raise InputError(
+            "graph", f"{printable(path.name)} is larger", f"at most {MAX_BYTES // 10**6} MB"
+        )
     try:
         content = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        found = f"{path.name} is not UTF-8 (byte {error.start})"
+        found = f"{printable(path.name)} is not UTF-8 (byte {error.start})"
         raise InputError("graph", found, "a text file", "Save it with encoding UTF-8") from error
     if not content.strip():
-        raise InputError("graph", f"{path.name} is empty", "a graph")
+        raise InputError("graph", f"{printable(path.name)} is empty", "a graph")
     return content
 
 

@@ -18,7 +18,14 @@ from typing import Any, NamedTuple
 from xml.etree import ElementTree
 
 from sensortrack.errors import InputError
-from sensortrack.network_files import Link, check_weight, chosen, exact_weight, linked_network
+from sensortrack.network_files import (
+    Link,
+    check_weight,
+    chosen,
+    exact_weight,
+    linked_network,
+    printable,
+)
 from sensortrack.networks import Network
 
 _CHUNK = 1 << 16
@@ -76,7 +83,7 @@ def graphml_network(
     if len(set(ids)) < len(ids):
         raise _bad(f"{label} holds graphs of the same id", "a different id for every graph")
     picked = chosen(ids, name, label)
-    return _network(reader.graphs[ids.index(picked)], f"{label} ({picked})", weight)
+    return _network(reader.graphs[ids.index(picked)], f"{label} ({printable(picked)})", weight)
 
 
 class _Key(NamedTuple):

@@ -416,6 +416,15 @@ def test_depth_and_length_do_no_harm(write):
         read_network(write(deep, "g.graphml"))
 
 
+def test_names_of_a_stranger_play_no_tricks_with_a_terminal(write):
+    path = write("graph,source,target\n\x1b[2J,a\x07,b\nother,\u202ec,d\nother,c\x07,c\x07\n")
+    for name in (None, "\x1b[2", "other"):
+        with pytest.raises(InputError) as caught:
+            read_network(path, name=name)
+        assert all(line.isprintable() for line in str(caught.value).splitlines())
+    assert read_network(path, name="\x1b[2J").label.isprintable()
+
+
 # ----------------------------------------------------------------------- paths
 
 
