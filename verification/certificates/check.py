@@ -503,7 +503,7 @@ def symbols(statement):
     keys = {k: ((), (k,)) if v[1] else ((k,), ()) for k, v in kinds.items()}
     return kinds, {k: matrix([[Fraction(1)]], kinds, keys[k]) for k in kinds}
 
-def check_document(document, statements):
+def check_document(document, statements, kind_of_proof=Proof):
     """What a certificate proves, as an entry of ``--json``; Reject if it proves nothing."""
     need(type(document) is dict and document.get("format") == FORMAT, f"format is not {FORMAT}")
     ends = {end: document[end] for end in ("lower", "upper") if end in document}
@@ -523,7 +523,7 @@ def check_document(document, statements):
     env |= {end: constant(number(ends[end])) for end, fixed in case["ends"].items() if fixed is None}
     for k, kind in statement["inputs"].items():
         need(kind != "nodes" or env[k].shape in [(1, 1), (env["graph"].n, 1)], f"{k}: one number a node")
-    proof = Proof(env, document["witness"], kinds)
+    proof = kind_of_proof(env, document["witness"], kinds)
     proof.given = [proof.read(text) for text in statement["given"]]
     for text in case["show"]:
         proof.holds(parse(text))

@@ -18,7 +18,7 @@ PRODUCER = "sensortrack 0.1"
 
 
 class CertificateError(SensorTrackError):
-    """The checker refuses what was made: the proof attempt failed at the witness."""
+    """No witness was found, or the checker refuses it: the message names the stage."""
 
 
 @functools.cache
@@ -41,6 +41,40 @@ def plain(value: Any) -> Any:
     return value
 
 
+class Prover(check.Proof):  # type: ignore[misc]  # check.py has no annotations: it is for reading
+    """Runs through a statement as the checker does and finds the definiteness witnesses by itself.
+
+    All other witness items are taken, in order, from the list that it is given.
+    """
+
+    def __init__(self, env: dict[str, Any], witness: list[Item], kinds: dict[str, Any]) -> None:
+        super().__init__(env, witness, kinds)
+        self.made: list[Item] = []
+        self.bases: list[int] = []
+
+    def take(self, kinds: Mapping[str, str]) -> Item:
+        """Return the next witness item; a definiteness witness is the one just found."""
+        item = self.found if "congruence" in kinds else next(self.items, None)
+        fields: Item = check.fields(item, kinds)
+        self.made.append(dict(fields))
+        return fields
+
+    def definite(self, rows: list[list[Fraction]]) -> None:
+        """Prove one matrix by a combination of proved ones if there is one, else by congruence."""
+        from verification.exact.definite import combination, congruence
+
+        terms = combination(rows, {k: self.proved[k] for k in self.bases})
+        if terms:
+            self.found: Item = {"kind": "combination", "terms": plain(terms)}
+        else:
+            factor = congruence(tuple(map(tuple, rows)))
+            if factor is None:
+                raise CertificateError(f"a {len(rows)} x {len(rows)} matrix is not positive definite")
+            self.found = {"kind": "congruence", "rows": plain(factor)}
+            self.bases.append(len(self.proved))
+        super().definite(rows)
+
+
 def certificate(
     system: str,
     name: str,
@@ -59,7 +93,8 @@ def certificate(
     inputs : mapping
         The statement's data: rationals, nested lists of them, or a graph's ``to_data()``.
     witness : sequence of dict
-        Witness items in the order in which the statement's predicates ask for them.
+        Witness items in the order in which the statement's predicates ask for them, without those
+        that show a matrix to be positive definite: these are found here.
     case : str, optional
         Which case of the statement.
     lower, upper : Fraction or str, optional
@@ -90,7 +125,15 @@ def certificate(
     }
     ends = {"lower": lower, "upper": upper}
     document |= {end: plain(value) for end, value in ends.items() if value is not None}
+    provers: list[Prover] = []
+
+    def prover(*arguments: Any) -> Prover:
+        provers.append(Prover(*arguments))
+        return provers[-1]
+
     try:
+        check.check_document(document, statements(), prover)
+        document["witness"] = provers[0].made
         check.check_document(json.loads(json.dumps(document)), statements())
     except check.Reject as error:
         raise CertificateError(f"{system}.{name}: {error}") from error
