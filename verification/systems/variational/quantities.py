@@ -1,0 +1,38 @@
+"""What `bound` and `certify` offer about the variational estimator."""
+
+from __future__ import annotations
+
+from verification.answers import Condition, Input, Quantity
+
+from .numbers import energy_ratio, spectral_radius
+from .steps import decide_step, leapfrog_step_limit, step_limit
+
+GAINS = (
+    Input("M", "matrix", "inertia-like gain, symmetric positive definite", "kg"),
+    Input("K", "matrix", "stiffness-like gain, symmetric positive definite", "kg/s^2"),
+    Input("C", "matrix", "damping gain, symmetric positive definite", "kg/s"),
+)
+STEP = Input("h", "number", "sampling period, above 0", "s")
+
+QUANTITIES = (
+    Quantity("step_limit", "supremum of h with (20) Schur stable", GAINS, step_limit, True),
+    Quantity(
+        "leapfrog_step_limit",
+        "the same for the second-order form (dissipation centred at the node)",
+        GAINS,
+        leapfrog_step_limit,
+        True,
+    ),
+    Quantity(
+        "spectral_radius", "of one step of (20)", (*GAINS, STEP), spectral_radius, False
+    ),
+    Quantity(
+        "energy_ratio",
+        "largest one-step growth factor of the printed energy",
+        (*GAINS, STEP),
+        energy_ratio,
+        False,
+    ),
+)
+
+CONDITIONS = (Condition("step", "(20) is Schur stable at the step h", (*GAINS, STEP), decide_step),)
