@@ -37,7 +37,8 @@ test-strict: $(READY_STRICT) strict-programs
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html
 
 bench: $(READY_STRICT)
-	$(BIN)/python -m pytest benchmarks -o python_files='bench_*.py' --benchmark-only
+	mkdir -p build
+	$(BIN)/python -m pytest benchmarks -o python_files='bench_*.py' --benchmark-only --benchmark-json build/bench.json
 
 generate: $(READY)
 	$(BIN)/python -m theory generate
