@@ -1,0 +1,81 @@
+"""Write or compare what is generated from theory, and show the systems.
+
+``python -m theory generate [--check]``, ``python -m theory list`` and ``python -m theory show NAME``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from .notation import render
+from .system import System
+from .systems import STATEMENTS, SYSTEMS
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+TARGET = "verification/certificates/statements.json"
+
+
+def statements_text() -> str:
+    """Text of ``statements.json``: every statement by ``SYSTEM.NAME``, sorted."""
+    entries = {f"{given.system}.{given.name}": given.to_data() for given in STATEMENTS}
+    if len(entries) != len(STATEMENTS):
+        raise ValueError("statements: two have the same name; one name each is needed")
+    return json.dumps(entries, indent=1, sort_keys=True, ensure_ascii=True) + "\n"
+
+
+def generate(root: Path, check: bool) -> int:
+    """Write the generated files below ``root``, or compare them.
+
+    Returns
+    -------
+    int
+        0 if they are up to date afterwards, 1 if a comparison found a difference.
+    """
+    path, text = root / TARGET, statements_text()
+    current = path.read_text(encoding="utf-8") if path.exists() else None
+    if current == text:
+        print(f"{TARGET}: up to date")
+        return 0
+    if check:
+        print(f"{TARGET}: differs from theory; run 'make generate'")
+        return 1
+    path.write_text(text, encoding="utf-8")
+    print(f"{TARGET}: written")
+    return 0
+
+
+def show(system: System) -> str:
+    """One system in plain text: laws, guards, claims, symbols, digest."""
+    lines = [system.title, system.citation, f"digest {system.digest}", ""]
+    lines += [f"{law.equation}: {law.left} = {law.right}" for law in system.laws] + [""]
+    lines += [f"needs {g.condition}; otherwise {g.meaning}" for g in system.guards] + [""]
+    lines += [f"{claim.id} ({claim.source}): {claim.title}" for claim in system.claims] + [""]
+    return "\n".join(lines) + "\n" + render([system])
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit status."""
+    parser = argparse.ArgumentParser(prog="python -m theory", description=(__doc__ or "").splitlines()[0])
+    commands = parser.add_subparsers(dest="command", required=True)
+    writer = commands.add_parser("generate", help="write what is generated from theory")
+    writer.add_argument("--check", action="store_true", help="compare only; exit 1 if it differs")
+    writer.add_argument("--root", type=Path, default=CHECKOUT, help="another checkout")
+    commands.add_parser("list", help="name the systems")
+    names = [system.name for system in SYSTEMS]
+    commands.add_parser("show", help="print one system").add_argument("system", choices=names)
+    options = parser.parse_args(argv)
+    if options.command == "generate":
+        return generate(options.root, options.check)
+    if options.command == "list":
+        print("\n".join(f"{system.name}: {system.title}" for system in SYSTEMS))
+        return 0
+    print(show(SYSTEMS[names.index(options.system)]), end="")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
