@@ -120,7 +120,7 @@ def combination(
     rows : sequence of sequence of Fraction
         The matrix.
     proved : mapping of int to rows
-        Linearly independent matrices, by index.
+        Matrices by index.
 
     Returns
     -------
@@ -136,7 +136,7 @@ def combination(
 
 
 def _solved(equations: list[list[Fraction]], unknowns: int) -> list[Fraction] | None:
-    """The solution of an overdetermined system of full column rank, if it has one."""
+    """A solution of an overdetermined linear system, if it has one."""
     pivots: dict[int, list[Fraction]] = {}
     for equation in equations:
         row = equation
@@ -152,7 +152,7 @@ def _solved(equations: list[list[Fraction]], unknowns: int) -> list[Fraction] | 
         for column, pivot in pivots.items():
             pivots[column] = [a - pivot[lead] * b for a, b in zip(pivot, row, strict=True)]
         pivots[lead] = row
-    return [pivots[j][-1] for j in range(unknowns)] if len(pivots) == unknowns else None
+    return [pivots[j][-1] if j in pivots else Fraction(0) for j in range(unknowns)]
 
 
 def negative_vector(rows: Rows) -> tuple[int, ...] | None:
