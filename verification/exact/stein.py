@@ -1,0 +1,85 @@
+"""Proofs of bounds on the spectral radius of E z+ = F z, without inverting E.
+
+From above, Stein (1952): if Q > 0 and r^2 E'QE - F'QF > 0, every solution shrinks faster than r^k,
+because V = (Ez)'Q(Ez) falls faster than r^(2k). From below: if r^2 E'QE - F'QF > 0 and E is not
+singular, V/r^(2k) falls strictly along every solution, so that one that starts at V <= 0 cannot
+shrink like r^k. The candidate is Q = Re(G*SG) with left eigenvectors G and S = sign(r - |z|). It
+serves both sides and, unlike the solution of Stein's equation, is no worse conditioned than G when
+r comes close to the spectral radius.
+
+References
+----------
+P. Stein, "Some general theorems on iterants", J. Res. Nat. Bur. Standards 48 (1952) 82-83.
+H. K. Wimmer, "Inertia theorems for matrices, controllability, and linear vibrations", Linear
+Algebra Appl. 8 (1974) 337-343 (the indefinite case).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from .definite import congruence, negative_vector
+from .modes import Modes, rows_of
+
+
+def proves_below(e: Any, f: Any, modes: Modes, r: Fraction) -> bool:
+    """Tell whether the spectral radius of E z+ = F z is proved to be less than r.
+
+    Parameters
+    ----------
+    e, f : flint.fmpz_mat
+        Square, of one size.
+    modes : Modes
+        Candidates; whatever they are, the answer True is a proof.
+    r : Fraction
+        Positive.
+    """
+    form = _form(modes, [1] * len(modes.moduli))
+    # the form is a sum of squares, and r^2 E'QE > F'QF >= 0 makes it definite
+    return congruence(rows_of(_decrease(e, f, modes, form, r))) is not None
+
+
+def proves_above(e: Any, f: Any, modes: Modes, r: Fraction) -> bool:
+    """Tell whether the spectral radius of E z+ = F z is proved to be more than r.
+
+    Parameters
+    ----------
+    e, f : flint.fmpz_mat
+        Square, of one size; E must not be singular.
+    modes : Modes
+        Candidates; whatever they are, the answer True is a proof.
+    r : Fraction
+        Positive.
+    """
+    signs = [-1 if modulus > r else 1 for modulus in modes.moduli]
+    form = _form(modes, signs)
+    if -1 not in signs or congruence(rows_of(_decrease(e, f, modes, form, r))) is None:
+        return False
+    return negative_vector(rows_of(form)) is not None
+
+
+def _form(modes: Modes, signs: list[int]) -> Any:
+    """Re(G* S G) without the column shifts."""
+    import flint
+
+    n = modes.real.ncols()
+    total = flint.fmpz_mat(n, n)
+    for part in (modes.real, modes.imaginary):
+        signed = [[s * x for x in row] for s, row in zip(signs, part.tolist(), strict=True)]
+        total += part.transpose() * flint.fmpz_mat(signed)
+    return total
+
+
+def _decrease(e: Any, f: Any, modes: Modes, form: Any, r: Fraction) -> Any:
+    """r^2 E'QE - F'QF times the square of the denominator of r."""
+    import flint
+
+    def moved(matrix: Any) -> Any:
+        rows = zip(matrix.tolist(), modes.shifts, strict=True)
+        return flint.fmpz_mat([[x << shift for x in map(int, row)] for row, shift in rows])
+
+    e, f = moved(e), moved(f)
+    return r.numerator**2 * (e.transpose() * form * e) - r.denominator**2 * (
+        f.transpose() * form * f
+    )
