@@ -132,17 +132,43 @@ def generalized_ratio(s: Rows, p: Rows) -> Enclosure:
     """
     if congruence(p) is None:
         raise InputError("P", "a matrix that is not positive definite", "x'Px > 0 is needed")
-    top, bottom = integer_matrices(s, p)
+    return _largest(*integer_matrices(s, p))
+
+
+def image_ratio(e: Rows, f: Rows, p: Rows) -> Enclosure:
+    """Largest growth factor of x'Px in one step of E z+ = F z.
+
+    Parameters
+    ----------
+    e, f, p : Rows
+        Square of one size, exact; E not singular, P symmetric positive definite.
+
+    Returns
+    -------
+    Enclosure
+        Largest eigenvalue of (A'PA, P), A = E^-1 F, of relative width 1e-12 at most unless `stage`
+        says otherwise.
+    """
+    import flint
+
+    left, right = integer_matrices(e, f)
+    (weight,) = integer_matrices(p)
+    step, unit = flint.fmpq_mat(left).solve(flint.fmpq_mat(right)).numer_denom()
+    return _largest(step.transpose() * weight * step, unit**2 * weight)
+
+
+def _largest(top: Any, bottom: Any) -> Enclosure:
+    """Bracket the largest eigenvalue of (top, bottom), bottom being positive definite."""
     if not any(x != 0 for x in top.entries()):
         return Enclosure(0.0, 0.0, 0.0, "S is zero")
-    lower = max(Fraction(int(top[i, i]), int(bottom[i, i])) for i in range(len(s)))
+    lower = max(Fraction(int(top[i, i]), int(bottom[i, i])) for i in range(top.nrows()))
     stage = "the diagonal"
     for x, stage in candidate_vectors(top, bottom):
         lower = max(lower, quotient(x, top, bottom))
         upper = lower + abs(lower) * RATIO_WIDTH / 2
         if lower and _dominates(top, bottom, upper):
             return Enclosure(nearest(lower), below(lower), above(upper), stage)
-    size = max(abs(Fraction(int(top[i, i]), int(bottom[i, i]))) for i in range(len(s)))
+    size = max(abs(Fraction(int(top[i, i]), int(bottom[i, i]))) for i in range(top.nrows()))
     for width in (RATIO_WIDTH, *WIDER):
         upper = lower + max(abs(lower), size) * width
         if _dominates(top, bottom, upper):
