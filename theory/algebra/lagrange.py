@@ -1,9 +1,9 @@
 """Discrete Lagrange-d'Alembert principle: from an action and a force to the recursion.
 
 Marsden & West, *Discrete mechanics and variational integrators*, Acta Numerica 10 (2001), part 3.
-The action sum is h L(x_0, u_0) + ... + h L(x_{N-1}, u_{N-1}) with u_k = (x_{k+1} - x_k)/h. A variation
-of the inner node x_k by h e d changes x_k, u_{k-1} and u_k only, so that one equation in
-u_{k-1} ("v"), x_k ("x") and u_k ("u") says everything, whatever N is.
+The action sum is h L(x_0, u_0) + ... + h L(x_{N-1}, u_{N-1}) with u_k = (x_{k+1} - x_k)/h. A
+variation of the inner node x_k by h e d changes x_k, u_{k-1} and u_k only, so that one equation
+in u_{k-1} ("v"), x_k ("x") and u_k ("u") says everything, whatever N is.
 """
 
 from __future__ import annotations

@@ -59,7 +59,7 @@ class Form:
         return self * other
 
     @property
-    def T(self) -> Form:  # noqa: N802 - the transpose is written like this everywhere
+    def T(self) -> Form:
         """The transpose."""
 
         def flipped(letter: str) -> str:

@@ -1,4 +1,4 @@
-"""Make a certificate: name the statement, add the witness, and let the checker have the last word."""
+"""Make a certificate: name the statement, add the witness, let the checker have the last word."""
 
 from __future__ import annotations
 
@@ -41,14 +41,14 @@ def plain(value: Any) -> Any:
     return value
 
 
-class Prover(check.Proof):  # type: ignore[misc]  # check.py has no annotations: it is for reading
+class Prover(check.Proof):
     """Runs through a statement as the checker does and finds the definiteness witnesses by itself.
 
     All other witness items are taken, in order, from the list that it is given.
     """
 
     def __init__(self, env: dict[str, Any], witness: list[Item], kinds: dict[str, Any]) -> None:
-        super().__init__(env, witness, kinds)
+        super().__init__(env, witness, kinds)  # type: ignore[no-untyped-call]
         self.made: list[Item] = []
         self.bases: list[int] = []
 
@@ -69,10 +69,12 @@ class Prover(check.Proof):  # type: ignore[misc]  # check.py has no annotations:
         else:
             factor = congruence(tuple(map(tuple, rows)))
             if factor is None:
-                raise CertificateError(f"a {len(rows)} x {len(rows)} matrix is not positive definite")
+                raise CertificateError(
+                    f"a {len(rows)} x {len(rows)} matrix is not positive definite"
+                )
             self.found = {"kind": "congruence", "rows": plain(factor)}
             self.bases.append(len(self.proved))
-        super().definite(rows)
+        super().definite(rows)  # type: ignore[no-untyped-call]
 
 
 def certificate(

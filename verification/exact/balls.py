@@ -18,7 +18,8 @@ def ball_rows(rows: Sequence[Sequence[Fraction]], bits: int) -> list[list[Any]]:
     shift = [_half_exponent(rows[i][i]) for i in range(len(rows))]
     return [
         [
-            flint.arb(flint.fmpq(x.numerator, x.denominator)) * flint.arb(2) ** (-shift[i] - shift[j])
+            flint.arb(flint.fmpq(x.numerator, x.denominator))
+            * flint.arb(2) ** (-shift[i] - shift[j])
             for j, x in enumerate(row)
         ]
         for i, row in enumerate(rows)
@@ -55,7 +56,7 @@ def ball_ldl(balls: list[list[Any]]) -> tuple[list[list[Any]], list[Any]]:
 
 
 def ball_definite(rows: Sequence[Sequence[Fraction]], bits: int = 128) -> bool | None:
-    """Is the symmetric matrix positive definite?
+    """Tell whether a symmetric matrix is positive definite.
 
     Parameters
     ----------

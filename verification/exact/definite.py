@@ -104,10 +104,7 @@ def _rounded(factor: list[list[Any]], keep: int) -> list[list[int]]:
 
 
 def _dominant(product: Any) -> bool:
-    for i, row in enumerate(product.tolist()):
-        if 2 * row[i] <= sum(abs(x) for x in row):
-            return False
-    return True
+    return all(2 * row[i] > sum(abs(x) for x in row) for i, row in enumerate(product.tolist()))
 
 
 def combination(
@@ -128,8 +125,14 @@ def combination(
         Empty if there is no such sum.
     """
     same = {k: m for k, m in proved.items() if len(m) == len(rows)}
-    coefficients = _solved([[m[i][j] for m in same.values()] + [rows[i][j]]
-                            for i in range(len(rows)) for j in range(i + 1)], len(same))
+    coefficients = _solved(
+        [
+            [m[i][j] for m in same.values()] + [rows[i][j]]
+            for i in range(len(rows))
+            for j in range(i + 1)
+        ],
+        len(same),
+    )
     if coefficients is None or any(c < 0 for c in coefficients) or not any(coefficients):
         return []
     return [(k, c) for k, c in zip(same, coefficients, strict=True) if c]
@@ -197,9 +200,7 @@ def _exact_vector(rows: Rows) -> tuple[int, ...] | None:
     import flint
 
     n = len(rows)
-    whole = flint.fmpq_mat(
-        [[flint.fmpq(x.numerator, x.denominator) for x in row] for row in rows]
-    )
+    whole = flint.fmpq_mat([[flint.fmpq(x.numerator, x.denominator) for x in row] for row in rows])
     for k in range(n):
         x = [Fraction(0)] * k + [Fraction(1)]
         if k:

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 
 from theory.algebra.noncommuting import Form
 
 Rows = tuple[tuple[Fraction, ...], ...]
 """An exact matrix, by rows."""
 
+ZERO = Fraction(0)
+
+
+def dot(x: Sequence[Fraction | int], y: Sequence[Fraction]) -> Fraction:
+    """x' y."""
+    return sum((b * a for a, b in zip(x, y, strict=True)), ZERO)
+
 
 def multiply(a: Rows, b: Rows) -> Rows:
     """Matrix product."""
     columns = tuple(zip(*b, strict=True))
-    return tuple(
-        tuple(sum((x * y for x, y in zip(row, column, strict=True)), Fraction(0)) for column in columns)
-        for row in a
-    )
+    return tuple(tuple(dot(row, column) for column in columns) for row in a)
 
 
 def add(a: Rows, b: Rows, factor: Fraction | int = 1) -> Rows:
@@ -38,12 +43,9 @@ def identity(n: int) -> Rows:
     return tuple(tuple(Fraction(i == j) for j in range(n)) for i in range(n))
 
 
-def quadratic(x: tuple[Fraction, ...] | tuple[int, ...], a: Rows) -> Fraction:
+def quadratic(x: Sequence[Fraction | int], a: Rows) -> Fraction:
     """x' a x."""
-    return sum(
-        (xi * sum((aij * xj for aij, xj in zip(row, x, strict=True)), Fraction(0)))
-        for xi, row in zip(x, a, strict=True)
-    ) + Fraction(0)
+    return dot(x, [dot(x, row) for row in zip(*a, strict=True)])
 
 
 def matrices(form: Form, values: Mapping[str, Rows], scalar: str = "h") -> dict[int, Rows]:
@@ -67,11 +69,13 @@ def matrices(form: Form, values: Mapping[str, Rows], scalar: str = "h") -> dict[
     out: dict[int, Rows] = {}
     for (scalars, word), a in form.terms.items():
         powers = dict(scalars)
-        product = scaled(a, identity(n))
-        for letter in word:
-            value = values[letter.rstrip("'")]
-            value = tuple(zip(*value, strict=True)) if letter.endswith("'") else value
-            product = multiply(product, value) if product != identity(n) else value
+        factors = [
+            tuple(zip(*values[letter[:-1]], strict=True))
+            if letter.endswith("'")
+            else values[letter]
+            for letter in word
+        ]
+        product = scaled(a, reduce(multiply, factors) if factors else identity(n))
         power = powers.get(scalar, 0)
         out[power] = add(out[power], product) if power in out else product
     return out

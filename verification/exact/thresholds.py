@@ -42,8 +42,8 @@ class Threshold:
 def concave_threshold(powers: Mapping[int, Rows]) -> Threshold | None:
     """Threshold of E(h) = E0 + h E1 + h^2 E2 with E0 > 0 and E2 < 0.
 
-    x'E(h)x is concave in h, positive at 0 and eventually negative, so that it changes sign once; the
-    threshold is the smallest such sign change over all x, attained at an eigenvector.
+    x'E(h)x is concave in h, positive at 0 and eventually negative, so that it changes sign once;
+    the threshold is the smallest such sign change over all x, attained at an eigenvector.
 
     Parameters
     ----------

@@ -12,7 +12,7 @@ from verification.exact.rationals import above, below, nearest, parse_exact
 
 
 @pytest.mark.parametrize(
-    ("text", "value"),
+    "text,value",
     [
         ("0.1", Fraction(1, 10)),
         ("1/3", Fraction(1, 3)),
@@ -28,8 +28,24 @@ def test_a_decimal_text_is_that_decimal_and_a_float_its_dyadic(text, value):
 
 @pytest.mark.parametrize(
     "bad",
-    ["nan", "inf", "1/0", "one", "", "1e999", "1_000", True, None, math.nan, math.inf, "9" * 2000]
-    + ["1e-9999999999", "0x10", "1/2/3", [1]],
+    [
+        "nan",
+        "inf",
+        "1/0",
+        "one",
+        "",
+        "1e999",
+        "1_000",
+        True,
+        None,
+        math.nan,
+        math.inf,
+        "9" * 2000,
+        "1e-9999999999",
+        "0x10",
+        "1/2/3",
+        [1],
+    ],
 )
 def test_what_is_no_finite_number_is_refused_by_name(bad):
     with pytest.raises(InputError) as error:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from ...statements import BRACKET, Case, Statement
 
 COAREA = (
-    "co-area formula on graphs and linear programming duality: the supremum over |u_i| <= gamma_i of "
+    "co-area formula on graphs and linear programming duality: the supremum over |u_i| <= gamma_i "
+    "of "
     "(Mu)'x - beta |B'x|_1 over |x| is attained on cuts"
 )
 FIEDLER = "Courant-Fischer: x'Lx >= lambda_2 |x|^2 for x orthogonal to the ones"
@@ -20,7 +21,8 @@ def _shifted(s: str) -> str:
 
 def _gain_threshold() -> Statement:
     words = (
-        "with |phi_i'| <= gamma_i, agreement is kept for ever at every gain beta >= upper, whatever the "
+        "with |phi_i'| <= gamma_i, agreement is kept for ever at every gain beta >= upper, "
+        "whatever the "
         "disturbance; at no gain below lower: a disturbance drives the two sides of a cut apart"
     )
     show = ("cuts_clear(graph, gamma, upper, 1, 0)", "cut_reaches(graph, gamma, lower, 1, 0)")
@@ -35,7 +37,8 @@ def _gain_threshold() -> Statement:
 
 def _margin() -> Statement:
     words = (
-        "lower <= min over cuts of k^2/p <= upper, with k the weight of the cut and p = s(n-s)/n: without "
+        "lower <= min over cuts of k^2/p <= upper, with k the weight of the cut and p = s(n-s)/n: "
+        "without "
         "disturbance the error falls at a rate of at least beta sqrt(lower)"
     )
     show = ("cuts_clear(graph, 0, 1, 1, lower)", "cut_reaches(graph, 0, 1, 1, upper)")
@@ -50,13 +53,18 @@ def _margin() -> Statement:
 
 def _connectivity() -> Statement:
     between = "the second smallest eigenvalue of the graph's Laplacian lies in [lower, upper]"
-    zero = "the graph is not connected, so that the second smallest eigenvalue of its Laplacian is 0"
+    zero = (
+        "the graph is not connected, so that the second smallest eigenvalue of its Laplacian is 0"
+    )
     return Statement(
         "bearing_dac",
         "algebraic_connectivity",
         {
             "PROVED": Case(
-                "PROVED", between, (f"pd({_shifted('lower')})", f"dips({_shifted('upper')})"), BRACKET
+                "PROVED",
+                between,
+                (f"pd({_shifted('lower')})", f"dips({_shifted('upper')})"),
+                BRACKET,
             ),
             "PROVED 0": Case(
                 "PROVED", zero, (f"dips({_shifted('0')})",), {"lower": "0", "upper": "0"}
@@ -69,7 +77,8 @@ def _connectivity() -> Statement:
 def _settling_time() -> Statement:
     inputs = {"graph": "graph", "gamma": "nodes", "beta": "number", "x0": "nodes"}
     words = (
-        "from the error x0 (projected to mean zero) agreement is reached within upper, whatever the "
+        "from the error x0 (projected to mean zero) agreement is reached within upper, whatever "
+        "the "
         "disturbance; the bound |x0|/min over cuts of (beta k - N)/sqrt(p) is at least lower"
     )
     never = "beta is at most the threshold: the worst disturbance keeps some cut apart for ever"
@@ -102,7 +111,9 @@ def _settling_time() -> Statement:
 
 def _gain() -> Statement:
     kept = "at this gain agreement is kept whatever the disturbance: beta >= threshold"
-    lost = "at this gain a disturbance drives the two sides of a cut apart for ever: beta < threshold"
+    lost = (
+        "at this gain a disturbance drives the two sides of a cut apart for ever: beta < threshold"
+    )
     return Statement(
         "bearing_dac",
         "gain",
@@ -146,7 +157,8 @@ BROKEN = (
 def _theorem_gain() -> Statement:
     words = (
         "a connected graph, a gain beta >= 1 + gamma sqrt(n)/lambda_2 as printed and an admissible "
-        "disturbance: the error, which starts at x0, is x1 at the time t after the printed settling time, "
+        "disturbance: the error, which starts at x0, is x1 at the time t after the printed "
+        "settling time, "
         "and that cut's disturbance drives it apart for ever"
     )
     return Statement(
@@ -163,8 +175,10 @@ def _theorem_gain() -> Statement:
 
 def _theorem_time() -> Statement:
     words = (
-        "a connected graph, a gain beta >= 1 + gamma sqrt(n)/lambda_2 as printed that is above the true "
-        "threshold, and an admissible disturbance: the error, which starts at x0, is x1, not zero, at the "
+        "a connected graph, a gain beta >= 1 + gamma sqrt(n)/lambda_2 as printed that is above "
+        "the true "
+        "threshold, and an admissible disturbance: the error, which starts at x0, is x1, not "
+        "zero, at the "
         "time t after the printed settling time"
     )
     clear = "cuts_clear(graph, gamma, beta, 1, 0)"
@@ -176,7 +190,6 @@ def _theorem_time() -> Statement:
     )
 
 
-
 def _gain_repair() -> Statement:
     """k = S'LS and p = S'MS for the indicator S of a cut; L - lambda_2 M >= 0."""
     return Statement(
@@ -185,10 +198,14 @@ def _gain_repair() -> Statement:
         {
             "PROVED": Case(
                 "PROVED",
-                "for every connected graph of any size, every cut with indicator S, k = S'LS and p = S'MS, "
-                "and every gamma: with beta = 2 gamma/lambda_2, beta k >= 2 gamma p = N; so every gain "
-                "beta >= 2 gamma/lambda_2 keeps agreement, and every larger one reaches it in finite time "
-                "(P stands for L - lambda_2 M, which is >= 0; g for gamma/lambda_2, l for lambda_2)",
+                "for every connected graph of any size, every cut with indicator S, k = S'LS and "
+                "p = S'MS, "
+                "and every gamma: with beta = 2 gamma/lambda_2, beta k >= 2 gamma p = N; so every "
+                "gain "
+                "beta >= 2 gamma/lambda_2 keeps agreement, and every larger one reaches it in "
+                "finite time "
+                "(P stands for L - lambda_2 M, which is >= 0; g for gamma/lambda_2, l for "
+                "lambda_2)",
                 ("2*g*T(S)*L*S - 2*g*l*T(S)*M*S >= 0",),
             )
         },
@@ -212,7 +229,8 @@ def _time_repair() -> Statement:
         {
             "PROVED": Case(
                 "PROVED",
-                "for every connected graph without weights, every cut (k = 1 + j edges, k = lambda_2 p + s, "
+                "for every connected graph without weights, every cut (k = 1 + j edges, k = "
+                "lambda_2 p + s, "
                 "j >= 0, s >= 0) and every gain beta = 1 + 2 gamma/lambda_2 + d, d >= 0: "
                 "(beta k - 2 gamma p)^2 >= lambda_2 p, written with g = gamma/lambda_2 and "
                 "lambda_2 p = 1 + j - s; so agreement is reached within |x(t0)|/sqrt(lambda_2)",
@@ -222,7 +240,7 @@ def _time_repair() -> Statement:
                 ),
             )
         },
-        symbols={name: "nonnegative" for name in "jsgd"},
+        symbols=dict.fromkeys("jsgd", "nonnegative"),
         relies_on=(FIEDLER, COAREA),
     )
 

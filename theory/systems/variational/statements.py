@@ -16,7 +16,7 @@ M, K, C = letters("M K C", SYMMETRIC)
 GAINS = {"M": "matrix", "K": "matrix", "C": "matrix"}
 """Inputs of the statements: symmetric positive definite matrices of one size."""
 
-ANY_GAINS = {name: "positive definite: n" for name in SYMMETRIC} | {"h": "positive"}
+ANY_GAINS = dict.fromkeys(SYMMETRIC, "positive definite: n") | {"h": "positive"}
 """Symbols of the universal statements."""
 
 DEFINITE = tuple(f"pd({name})" for name in SYMMETRIC)
@@ -64,7 +64,8 @@ def _pencil(r: Recursion) -> str:
 def step_statements(limit: str, scheme: Recursion, of: str) -> Statement:
     """Two-sided statement about the largest stable step of a scheme."""
     words = (
-        f"M, K, C are symmetric positive definite; every solution of {of} tends to 0 for every step "
+        f"M, K, C are symmetric positive definite; every solution of {of} tends to 0 for every "
+        f"step "
         "0 < h <= lower, and for every step h >= upper some solution does not"
     )
     show = (
@@ -78,7 +79,9 @@ def step_statements(limit: str, scheme: Recursion, of: str) -> Statement:
 
 
 def _step() -> Statement:
-    stable = "M, K, C are symmetric positive definite and every solution of (20) tends to 0 at this step"
+    stable = (
+        "M, K, C are symmetric positive definite and every solution of (20) tends to 0 at this step"
+    )
     not_so = "M, K, C are symmetric positive definite and some solution of (20) does not tend to 0"
     pencil = _pencil(SCHEME)
     return Statement(
@@ -95,8 +98,10 @@ def _step() -> Statement:
 def _proposition() -> Statement:
     """The action's first variation is the printed recursion, as an identity in the variation."""
     words = (
-        "for all M, K, C of any size and every variation h d of an inner node, the action's change is "
-        "h d'(what (23) has in brackets, without the force) plus terms of second order in d, and with "
+        "for all M, K, C of any size and every variation h d of an inner node, the action's "
+        "change is "
+        "h d'(what (23) has in brackets, without the force) plus terms of second order in d, and "
+        "with "
         "the force -Cu the brackets are the last line of (20)"
     )
     x, u, v, y, d = letters("x u v y d")
@@ -104,8 +109,8 @@ def _proposition() -> Statement:
     after = h * (lagrangian(x + h * d, u - d) - lagrangian(x, u))
     bracket = EQUATION + h * C * u
     second = 2 * (h * (d.T * M * d)) - h * h * h * (d.T * K * d)
-    symbols = {name: "symmetric: n" for name in SYMMETRIC} | {"h": "positive"}
-    symbols |= {name: "vector: n" for name in "xuvyd"}
+    symbols = dict.fromkeys(SYMMETRIC, "symmetric: n") | {"h": "positive"}
+    symbols |= dict.fromkeys("xuvyd", "vector: n")
     return Statement(
         "variational",
         "prop_4_1",
@@ -137,9 +142,11 @@ def _energy_refuted() -> Statement:
         {
             "REFUTED": Case(
                 "REFUTED",
-                "for all M, K, C > 0, every h > 0 and every x: one step of (20) from position error x "
+                "for all M, K, C > 0, every h > 0 and every x: one step of (20) from position "
+                "error x "
                 "and velocity error 0 leads to (x, v) with an energy larger by 1/2 v'Mv, and v = 0 "
-                "only if x = 0, because -v'(M + hC)x = h x'Kx; so the energy (14) at equal index grows",
+                "only if x = 0, because -v'(M + hC)x = h x'Kx; so the energy (14) at equal index "
+                "grows",
                 (
                     f"{energy(x, v) - energy(x, zero)} == 1/2*T(v)*M*v",
                     "-T(v)*(M + h*C)*x == h*T(x)*K*x",
@@ -163,8 +170,10 @@ def _energy_repair() -> Statement:
         {
             "PROVED": Case(
                 "PROVED",
-                "for all M, K, C > 0 of any size, every h > 0 and every step of (20) from (x, u) to "
-                "(y, v): W = 1/2 u'(M + hC/2)u + 1/2 x'Kx + h/2 x'Ku falls by h/4 (u+v)'C(u+v), and "
+                "for all M, K, C > 0 of any size, every h > 0 and every step of (20) from (x, u) "
+                "to "
+                "(y, v): W = 1/2 u'(M + hC/2)u + 1/2 x'Kx + h/2 x'Ku falls by h/4 (u+v)'C(u+v), "
+                "and "
                 "W = 1/2 m'Km + 1/8 u'(4M + 2hC - h^2 K)u with the midpoint m = x + hu/2",
                 (
                     f"{discrete_energy(x, u) - discrete_energy(y, v)} == {loss}",
@@ -174,7 +183,7 @@ def _energy_repair() -> Statement:
                 ),
             )
         },
-        symbols=ANY_GAINS | {name: "vector: n" for name in "xuyv"},
+        symbols=ANY_GAINS | dict.fromkeys("xuyv", "vector: n"),
         given=_next_step(),
     )
 
@@ -186,7 +195,8 @@ def _stability_refuted() -> Statement:
         {
             "REFUTED": Case(
                 "REFUTED",
-                "these M, K, C are symmetric positive definite, h > 0, and (20) has a solution that "
+                "these M, K, C are symmetric positive definite, h > 0, and (20) has a solution "
+                "that "
                 "does not tend to 0",
                 (*DEFINITE, "h > 0", f"unstable({_pencil(SCHEME)})"),
             )
@@ -202,7 +212,8 @@ def _stability_repair() -> Statement:
         {
             "PROVED": Case(
                 "PROVED",
-                "for all M, K, C > 0 of any size and every h > 0 with Q = 4M + 2hC - h^2 K > 0, every "
+                "for all M, K, C > 0 of any size and every h > 0 with Q = 4M + 2hC - h^2 K > 0, "
+                "every "
                 "solution of (20) tends to 0",
                 (f"schur({_pencil(SCHEME)})",),
             )

@@ -26,14 +26,17 @@ def theorem_1_gain() -> Decision:
     return Decision(
         verdict=Verdict.CORRECTED,
         reason=f"Of all connected graphs on up to {LARGEST_GAIN} nodes, those with edges "
-        f"{_labels(found)} refute the printed gain: one admissible disturbance drives a cut apart for "
-        "ever, replayed in rationals. The repair is x'Lx >= lambda_2 |x|^2 at the indicator of each cut.",
+        f"{_labels(found)} refute the printed gain: one admissible disturbance drives a cut apart "
+        f"for "
+        "ever, replayed in rationals. The repair is x'Lx >= lambda_2 |x|^2 at the indicator of "
+        "each cut.",
         printed=f"{first.printed:.5g}",
         sharp=f"{first.sharp:.5g}",
         printed_value=first.printed,
         sharp_value=first.sharp,
         margin_text=f"{1 - first.printed / first.sharp:.1%} too small at {_where(first)}",
-        repair="beta >= 2 gamma/lambda_2 keeps agreement and any larger gain reaches it in finite time; "
+        repair="beta >= 2 gamma/lambda_2 keeps agreement and any larger gain reaches it in finite "
+        "time; "
         "the sharp threshold of a network is gamma max over cuts of 2p/k, p = s(n-s)/n.",
         repair_formula=r"\beta^*=\gamma\max_S\frac{2\,s(n-s)}{n\,k_S}\le\frac{2\gamma}{\lambda_2}",
         relies_on=tuple(repaired["relies_on"]),
@@ -49,14 +52,14 @@ def theorem_1_time() -> Decision:
         return _nothing(f"no counterexample on up to {LARGEST_TIME} nodes")
     last = found[-1]
     expanded = "j + j**2 + 2*(1 + j)*(d*(1 + j) + 2*g*s) + (d*(1 + j) + 2*g*s)**2 + s"
-    repaired = _universal(
-        "theorem_1_time_repair", [([], []), ([[expanded, "1", "1"]], [])]
-    )
+    repaired = _universal("theorem_1_time_repair", [([], []), ([[expanded, "1", "1"]], [])])
     return Decision(
         verdict=Verdict.CORRECTED,
         reason=f"Of all connected graphs on up to {LARGEST_TIME} nodes, those with edges "
-        f"{_labels(found)} refute the printed time although the gain is above the true threshold: the "
-        "error of one run is replayed in rationals and is not zero after t*. The repair needs k >= 1 and "
+        f"{_labels(found)} refute the printed time although the gain is above the true threshold: "
+        f"the "
+        "error of one run is replayed in rationals and is not zero after t*. The repair needs k "
+        ">= 1 and "
         "k >= lambda_2 p only.",
         printed=f"{last.printed:.5g}",
         sharp=f"{last.sharp:.5g}",
@@ -66,7 +69,8 @@ def theorem_1_time() -> Decision:
         repair="with beta >= 1 + 2 gamma/lambda_2 and unit weights the error is zero from "
         "t0 + |x(t0)|/sqrt(lambda_2) on; the sharp bound is |x(t0)|/min over cuts of "
         "(beta k - 2 gamma p)/sqrt(p), and it is attained.",
-        repair_formula=r"t^*=t_0+\frac{\lVert\tilde x(t_0)\rVert}{\min_S(\beta k_S-2\gamma p_S)/\sqrt{p_S}}",
+        repair_formula=r"t^*=t_0+\frac{\lVert\tilde x(t_0)\rVert}"
+        r"{\min_S(\beta k_S-2\gamma p_S)/\sqrt{p_S}}",
         relies_on=tuple(repaired["relies_on"]),
         certificates=_files("bearing_dac.theorem_1_time", found, repaired),
         replay=_table(found, "settling time"),

@@ -1,8 +1,8 @@
 """Search for networks on which Theorem 1 fails as printed, with exact runs that show it.
 
-From the error a M 1_S under the disturbance gamma (2 1_S - 1) of a cut S, the two sides move as rigid
-bodies: the error stays on the ray through M 1_S and its length changes at the rate (N - beta k)/p.
-The search tries every connected graph on few nodes and every cut.
+From the error a M 1_S under the disturbance gamma (2 1_S - 1) of a cut S, the two sides move as
+rigid bodies: the error stays on the ray through M 1_S and its length changes at the rate
+(N - beta k)/p. The search tries every connected graph on few nodes and every cut.
 """
 
 from __future__ import annotations
@@ -108,9 +108,7 @@ def gain_counterexamples(largest: int) -> Iterator[Counterexample]:
         document, run = _drive(worst, gamma, beta, Fraction(0), Fraction(5), lam, "theorem_1_gain")
         printed = 1 + float(gamma) * math.sqrt(network.n) / _lambda(network)
         if document:
-            yield Counterexample(
-                network, gamma, beta, printed, float(gamma * ratio), run, document
-            )
+            yield Counterexample(network, gamma, beta, printed, float(gamma * ratio), run, document)
 
 
 def time_counterexamples(largest: int) -> Iterator[Counterexample]:
@@ -156,9 +154,15 @@ def _pull(cut: Cut, gamma: Fraction, beta: Fraction) -> Fraction:
 
 
 def _drive(
-    cut: Cut, gamma: Fraction, beta: Fraction, start: Fraction, t: Fraction, lam: Fraction, name: str
+    cut: Cut,
+    gamma: Fraction,
+    beta: Fraction,
+    start: Fraction,
+    t: Fraction,
+    lam: Fraction,
+    name: str,
 ) -> tuple[dict[str, Any] | None, dict[str, Any]]:
-    """Run along the ray of the cut for the time t; None if the edge signs inside a side exceed 1."""
+    """Run along the cut's ray for the time t; None if an edge sign inside a side exceeds 1."""
     network, n = cut.network, cut.network.n
     disturbance = [gamma if i in cut.inside else -gamma for i in range(n)]
     end = start - t * _pull(cut, gamma, beta) / cut.p
@@ -183,10 +187,8 @@ def _signs(
     """Selection of the edge signs that keeps both sides rigid, or None if some |sign| > 1."""
     network, n = cut.network, cut.network.n
     edges = [(int(i), int(j)) for i, j in network.edges]
-    mean = sum(disturbance) / n
-    demand = [
-        (u - mean - v) / beta for u, v in zip(disturbance, cut.ray(speed), strict=True)
-    ]
+    mean = sum(disturbance, Fraction(0)) / n
+    demand = [(u - mean - v) / beta for u, v in zip(disturbance, cut.ray(speed), strict=True)]
     signs: list[Fraction | None] = []
     for i, j in edges:
         crosses = (i in cut.inside) - (j in cut.inside)
@@ -200,9 +202,7 @@ def _signs(
     return full if all(abs(sign) <= 1 for sign in full) else None
 
 
-def _potential(
-    cut: Cut, edges: list[tuple[int, int]], demand: list[Fraction]
-) -> list[Fraction]:
+def _potential(cut: Cut, edges: list[tuple[int, int]], demand: list[Fraction]) -> list[Fraction]:
     """Electrical potentials inside the two sides that meet the demands (the smallest flow)."""
     import flint
 
@@ -216,9 +216,9 @@ def _potential(
         first = next(i for i in range(n) if (i in cut.inside) == side)
         rows[first][first] += 1
     exact = flint.fmpq_mat([[flint.fmpq(x.numerator, x.denominator) for x in row] for row in rows])
-    side = flint.fmpq_mat([[flint.fmpq(d.numerator, d.denominator)] for d in demand])
+    wanted = flint.fmpq_mat([[flint.fmpq(d.numerator, d.denominator)] for d in demand])
     try:
-        solution = exact.solve(side)
+        solution = exact.solve(wanted)
     except ZeroDivisionError:  # a side in pieces: not a cut that matters
         return [Fraction(2 * i) for i in range(n)]
     return [Fraction(int(solution[i, 0].p), int(solution[i, 0].q)) for i in range(n)]

@@ -21,7 +21,9 @@ SAMPLE_STEP = Fraction(1, 10)
 SAMPLE_STEPS = 6
 
 
-def derivation(squares: tuple[tuple[str, str, str], ...] = (), *relations: tuple[str, str, str]) -> Any:
+def derivation(
+    squares: tuple[tuple[str, str, str], ...] = (), *relations: tuple[str, str, str]
+) -> Any:
     """Witness that an expression is a sum of squares plus multiples of what is given."""
     return {
         "kind": "derivation",
@@ -41,8 +43,10 @@ def proposition_4_1() -> Decision:
     document = certificate("variational", "prop_4_1", {}, [derivation(), derivation()])
     return Decision(
         verdict=Verdict.PROVED if not difference.terms else Verdict.UNDECIDED,
-        reason="The first variation of the action is expanded as an identity in non-commuting M, K, C "
-        "and equals the printed recursion; the sum in (21) must end at N - 1, because the variation of "
+        reason="The first variation of the action is expanded as an identity in non-commuting M, "
+        "K, C "
+        "and equals the printed recursion; the sum in (21) must end at N - 1, because the "
+        "variation of "
         f"its term k = N alone would demand {_words(surplus).replace('v', 'u_N')} = 0.",
         printed="(20)",
         sharp=f"0 = {_words(EQUATION)}",
@@ -89,18 +93,22 @@ def discrete_energy() -> Decision:
     growth = Fraction(table[2][3]) / Fraction(table[1][3])
     return Decision(
         verdict=Verdict.CORRECTED,
-        reason="One step of (20) from any position error x and velocity error 0 raises the energy by "
-        "1/2 v'Mv, for every h > 0 and all M, K, C > 0, as an identity; the corrected energy W loses "
+        reason="One step of (20) from any position error x and velocity error 0 raises the energy "
+        "by "
+        "1/2 v'Mv, for every h > 0 and all M, K, C > 0, as an identity; the corrected energy W "
+        "loses "
         "h/4 (u+v)'C(u+v) in every step, as an identity modulo (20).",
         printed="E(k+1) <= E(k)",
         sharp=f"E(1)/E(0) = {float(growth):.6f}",
         printed_value=1.0,
         sharp_value=float(growth),
-        margin_text=f"grows by {float(growth - 1):.2%} in one step at M = K = C = 1, h = 1/10, from u = 0",
+        margin_text=f"grows by {float(growth - 1):.2%} in one step at M = K = C = 1, h = 1/10, "
+        "from u = 0",
         repair="W = 1/2 u'(M + hC/2)u + 1/2 x'Kx + h/2 x'Ku never grows along (20); it is positive "
         "definite exactly while 4M + 2hC - h^2 K is.",
-        repair_formula=r"W_k=\tfrac12u_k^{\mathsf T}\left(M+\tfrac h2C\right)u_k+\tfrac12x_k^{\mathsf T}Kx_k"
-        r"+\tfrac h2x_k^{\mathsf T}Ku_k,\qquad W_{k+1}-W_k=-\tfrac h4(u_{k+1}+u_k)^{\mathsf T}C(u_{k+1}+u_k)",
+        repair_formula=r"W_k=\tfrac12u_k^{\mathsf T}\left(M+\tfrac h2C\right)u_k"
+        r"+\tfrac12x_k^{\mathsf T}Kx_k+\tfrac h2x_k^{\mathsf T}Ku_k,\qquad "
+        r"W_{k+1}-W_k=-\tfrac h4(u_{k+1}+u_k)^{\mathsf T}C(u_{k+1}+u_k)",
         certificates={
             "variational.discrete_energy": refuted,
             "variational.discrete_energy_repair": repaired,
@@ -154,14 +162,16 @@ def discrete_stability() -> Decision:
     assert answer.certificate is not None
     return Decision(
         verdict=Verdict.CORRECTED,
-        reason=f"At M = K = C = 1 and h = {h} the recursion has a solution that does not decay; below "
+        reason=f"At M = K = C = 1 and h = {h} the recursion has a solution that does not decay; "
+        f"below "
         "the threshold, Jury's conditions hold for the quadratic form of every vector, because "
         f"{_conditions()} are positive definite.",
         printed="every h > 0",
         sharp=f"h < {answer.value:.5g} at M = K = C = 1",
         sharp_value=answer.value,
         margin_text="the limit is missing",
-        repair="(20) is asymptotically stable if and only if 4M + 2hC - h^2 K is positive definite.",
+        repair="(20) is asymptotically stable if and only if 4M + 2hC - h^2 K is positive "
+        "definite.",
         repair_formula=r"4M+2hC-h^2K\succ0",
         certificates={
             "variational.discrete_stability": refuted,

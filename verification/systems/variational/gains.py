@@ -61,13 +61,15 @@ def _check(name: str, rows: Rows) -> None:
         i, j = pair
         raise InputError(
             name,
-            f"not symmetric: entry {i + 1},{j + 1} is {rows[i][j]}, entry {j + 1},{i + 1} is {rows[j][i]}",
+            f"not symmetric: entry {i + 1},{j + 1} is {rows[i][j]}, entry {j + 1},{i + 1} is "
+            f"{rows[j][i]}",
             "a symmetric positive definite matrix is needed",
         )
     x = negative_vector(rows)
     if x:
         raise InputError(
             name,
-            f"not positive definite: x = ({', '.join(map(str, x))}) gives x'{name}x = {quadratic(x, rows)}",
+            f"not positive definite: x = ({', '.join(map(str, x))}) gives x'{name}x = "
+            f"{quadratic(x, rows)}",
             "a symmetric positive definite matrix is needed",
         )

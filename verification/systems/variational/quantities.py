@@ -23,9 +23,7 @@ QUANTITIES = (
         leapfrog_step_limit,
         True,
     ),
-    Quantity(
-        "spectral_radius", "of one step of (20)", (*GAINS, STEP), spectral_radius, False
-    ),
+    Quantity("spectral_radius", "of one step of (20)", (*GAINS, STEP), spectral_radius, False),
     Quantity(
         "energy_ratio",
         "largest one-step growth factor of the printed energy",

@@ -17,7 +17,9 @@ from verification.exact.thresholds import Threshold, concave_threshold, ends, va
 
 from .gains import definite_gains, positive_step
 
-NO_THRESHOLD = "no step below the computed threshold could be certified: the matrices are too ill-scaled"
+NO_THRESHOLD = (
+    "no step below the computed threshold could be certified: the matrices are too ill-scaled"
+)
 
 
 def at_minus_one(scheme: Recursion) -> Form:
@@ -83,7 +85,7 @@ def leapfrog_step_limit(values: Mapping[str, Any]) -> Answer:
 
 
 def decide_step(values: Mapping[str, Any]) -> Answer:
-    """Is (20) Schur stable at the step h?
+    """Decide whether (20) is Schur stable at the step h.
 
     Parameters
     ----------

@@ -81,11 +81,13 @@ def test_a_new_unit_of_time_rescales_the_limit(values, unit):
         "K": scaled(1 / unit**2, values["K"]),
         "C": scaled(1 / unit, values["C"]),
     }
-    assert step_limit(other).value == pytest.approx(float(unit) * step_limit(values).value, rel=1e-12)
+    assert step_limit(other).value == pytest.approx(
+        float(unit) * step_limit(values).value, rel=1e-12
+    )
 
 
 @pytest.mark.parametrize(
-    ("name", "rows", "words"),
+    "name,rows,words",
     [
         ("M", [[1, 2], [0, 1]], "not symmetric"),
         ("K", [[1, 2], [2, 1]], "not positive definite: x = ("),
