@@ -1,6 +1,6 @@
 """Write or compare what is generated from theory, and show the systems.
 
-``python -m theory generate [--check]``, ``python -m theory list`` and ``python -m theory show NAME``.
+``python -m theory generate [--check]``, ``python -m theory list``, ``python -m theory show NAME``.
 """
 
 from __future__ import annotations
@@ -59,7 +59,8 @@ def show(system: System) -> str:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status."""
-    parser = argparse.ArgumentParser(prog="python -m theory", description=(__doc__ or "").splitlines()[0])
+    about = (__doc__ or "").partition("\n")[0]
+    parser = argparse.ArgumentParser(prog="python -m theory", description=about)
     commands = parser.add_subparsers(dest="command", required=True)
     writer = commands.add_parser("generate", help="write what is generated from theory")
     writer.add_argument("--check", action="store_true", help="compare only; exit 1 if it differs")

@@ -1,6 +1,9 @@
 """Bearing sensors with consensus: the model, its claims, and what certificates prove."""
 
+from .lemma_statements import LEMMA_STATEMENTS
 from .model import SYSTEM
-from .statements import STATEMENTS
+from .statements import STATEMENTS as THEOREM_STATEMENTS
+
+STATEMENTS = (*THEOREM_STATEMENTS, *LEMMA_STATEMENTS)
 
 __all__ = ["STATEMENTS", "SYSTEM"]
