@@ -1,7 +1,7 @@
-"""Candidates for the vector at which x'Sx / x'Px is largest, P being positive definite.
+"""Two-sided certified brackets of the largest x'Sx / x'Px, P being positive definite.
 
-Nothing here is trusted: the quotient at any vector is an exact lower bound of the maximum. Near the
-maximum its error is of second order in the error of the vector.
+The exact quotient at any vector is a lower bound, whose error is of second order in the error of
+the vector; the definiteness of r P - S proves that r is an upper bound.
 """
 
 from __future__ import annotations
@@ -10,7 +10,99 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from .modes import GUARD_BITS, doubles, fixed, inverse, ladder, middle
+from sensortrack.errors import InputError
+
+from .definite import congruence
+from .evaluate import Rows
+from .modes import (
+    GUARD_BITS,
+    doubles,
+    fixed,
+    integer_matrices,
+    inverse,
+    ladder,
+    middle,
+    rows_of,
+)
+from .rationals import above, below, nearest
+from .spectral import WIDER, Enclosure, unreached
+
+
+RATIO_WIDTH = Fraction(1, 10**12)
+"""Relative width aimed at for generalised eigenvalues."""
+
+
+def generalized_ratio(s: Rows, p: Rows) -> Enclosure:
+    """Largest eigenvalue of the pencil (S, P): the maximum of x'Sx / x'Px.
+
+    The lower side is the exact ratio at one vector, the upper side the definiteness of r P - S.
+
+    Parameters
+    ----------
+    s : Rows
+        Symmetric, exact.
+    p : Rows
+        Symmetric positive definite, exact, of the same size.
+
+    Returns
+    -------
+    Enclosure
+        Of relative width 1e-12 at most unless `stage` says otherwise.
+
+    Raises
+    ------
+    InputError
+        P is not positive definite.
+    """
+    if congruence(p) is None:
+        raise InputError("P", "a matrix that is not positive definite", "x'Px > 0 is needed")
+    return _largest(*integer_matrices(s, p))
+
+
+def image_ratio(e: Rows, f: Rows, p: Rows) -> Enclosure:
+    """Largest growth factor of x'Px in one step of E z+ = F z.
+
+    Parameters
+    ----------
+    e, f, p : Rows
+        Square of one size, exact; E not singular, P symmetric positive definite.
+
+    Returns
+    -------
+    Enclosure
+        Largest eigenvalue of (A'PA, P), A = E^-1 F, of relative width 1e-12 at most unless `stage`
+        says otherwise.
+    """
+    import flint
+
+    left, right = integer_matrices(e, f)
+    (weight,) = integer_matrices(p)
+    step, unit = flint.fmpq_mat(left).solve(flint.fmpq_mat(right)).numer_denom()
+    return _largest(step.transpose() * weight * step, unit**2 * weight)
+
+
+def _largest(top: Any, bottom: Any) -> Enclosure:
+    """Bracket the largest eigenvalue of (top, bottom), bottom being positive definite."""
+    if not any(x != 0 for x in top.entries()):
+        return Enclosure(0.0, 0.0, 0.0, "S is zero")
+    lower = max(Fraction(int(top[i, i]), int(bottom[i, i])) for i in range(top.nrows()))
+    stage = "the diagonal"
+    for x, stage in candidate_vectors(top, bottom):
+        lower = max(lower, quotient(x, top, bottom))
+        upper = lower + abs(lower) * RATIO_WIDTH / 2
+        if lower and _dominates(top, bottom, upper):
+            return Enclosure(nearest(lower), below(lower), above(upper), stage)
+    size = max(abs(Fraction(int(top[i, i]), int(bottom[i, i]))) for i in range(top.nrows()))
+    for width in (RATIO_WIDTH, *WIDER):
+        upper = lower + max(abs(lower), size) * width
+        if _dominates(top, bottom, upper):
+            return Enclosure(nearest(lower), below(lower), above(upper), unreached(stage))
+    return Enclosure(nearest(lower), below(lower), None, unreached(stage))
+
+
+def _dominates(top: Any, bottom: Any, r: Fraction) -> bool:
+    """Tell whether r P - S is proved to be positive definite."""
+    return congruence(rows_of(r.numerator * bottom - r.denominator * top)) is not None
 
 
 def quotient(x: Any, s: Any, p: Any) -> Fraction:
@@ -20,7 +112,7 @@ def quotient(x: Any, s: Any, p: Any) -> Fraction:
 
 
 def candidate_vectors(s: Any, p: Any) -> Iterator[tuple[Any, str]]:
-    """Ever better vectors.
+    """Ever better vectors where x'Sx / x'Px is nearly largest; none of them is trusted.
 
     Parameters
     ----------

@@ -115,10 +115,10 @@ def _isolated(factor: Any, low: Fraction, high: Fraction) -> Algebraic | None:
         return Algebraic(coefficients, value, value, float(value)) if inside else None
     flint.ctx.prec = 256
     real = [r.real for r, _ in factor.complex_roots() if r.imag.contains(0)]
-    inside = [r for r in real if _arb(low) < r < _arb(high)]
-    if len(inside) != 1:
+    close = [r for r in real if _arb(low) < r < _arb(high)]
+    if len(close) != 1:
         return None
-    root = inside[0]
+    root = close[0]
     for digits in range(3, 60):
         unit = Fraction(1, 10**digits)
         floor = Fraction(int((root / _arb(unit)).floor().unique_fmpz() or 0)) * unit

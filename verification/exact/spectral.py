@@ -1,4 +1,4 @@
-"""Two-sided certified brackets of spectral radii and of largest generalised eigenvalues.
+"""Two-sided certified brackets of spectral radii.
 
 Candidates are computed in doubles first, which settles most matrices in milliseconds, and in more
 bits where a proof fails: floats lose half of their digits at a defective eigenvalue.
@@ -12,20 +12,16 @@ from typing import Any
 
 from sensortrack.errors import InputError
 
-from .definite import congruence
 from .evaluate import Rows, identity
-from .modes import Modes, candidates, integer_matrices, rows_of
+from .modes import Modes, candidates, integer_matrices
 from .rationals import above, below, nearest
-from .rayleigh import candidate_vectors, quotient
 from .stein import proves_above, proves_below
 
 WIDTH = Fraction(1, 10**10)
 """Relative width aimed at for spectral radii."""
 
-RATIO_WIDTH = Fraction(1, 10**12)
-"""Relative width aimed at for generalised eigenvalues."""
-
 WIDER = tuple(Fraction(1, 10**k) for k in (9, 8, 7, 6, 5, 4, 3, 2))
+"""What is tried, each on both sides, when that width cannot be reached."""
 
 
 @dataclass(frozen=True)
@@ -105,83 +101,11 @@ def pencil_radius(e: Rows, f: Rows) -> Enclosure:
         bracket.narrow(modes, width)
         if bracket.closed:
             break
-    return bracket.enclosure(_unreached(modes.stage))
+    return bracket.enclosure(unreached(modes.stage))
 
 
-def generalized_ratio(s: Rows, p: Rows) -> Enclosure:
-    """Largest eigenvalue of the pencil (S, P): the maximum of x'Sx / x'Px.
-
-    The lower side is the exact ratio at one vector, the upper side the definiteness of r P - S.
-
-    Parameters
-    ----------
-    s : Rows
-        Symmetric, exact.
-    p : Rows
-        Symmetric positive definite, exact, of the same size.
-
-    Returns
-    -------
-    Enclosure
-        Of relative width 1e-12 at most unless `stage` says otherwise.
-
-    Raises
-    ------
-    InputError
-        P is not positive definite.
-    """
-    if congruence(p) is None:
-        raise InputError("P", "a matrix that is not positive definite", "x'Px > 0 is needed")
-    return _largest(*integer_matrices(s, p))
-
-
-def image_ratio(e: Rows, f: Rows, p: Rows) -> Enclosure:
-    """Largest growth factor of x'Px in one step of E z+ = F z.
-
-    Parameters
-    ----------
-    e, f, p : Rows
-        Square of one size, exact; E not singular, P symmetric positive definite.
-
-    Returns
-    -------
-    Enclosure
-        Largest eigenvalue of (A'PA, P), A = E^-1 F, of relative width 1e-12 at most unless `stage`
-        says otherwise.
-    """
-    import flint
-
-    left, right = integer_matrices(e, f)
-    (weight,) = integer_matrices(p)
-    step, unit = flint.fmpq_mat(left).solve(flint.fmpq_mat(right)).numer_denom()
-    return _largest(step.transpose() * weight * step, unit**2 * weight)
-
-
-def _largest(top: Any, bottom: Any) -> Enclosure:
-    """Bracket the largest eigenvalue of (top, bottom), bottom being positive definite."""
-    if not any(x != 0 for x in top.entries()):
-        return Enclosure(0.0, 0.0, 0.0, "S is zero")
-    lower = max(Fraction(int(top[i, i]), int(bottom[i, i])) for i in range(top.nrows()))
-    stage = "the diagonal"
-    for x, stage in candidate_vectors(top, bottom):
-        lower = max(lower, quotient(x, top, bottom))
-        upper = lower + abs(lower) * RATIO_WIDTH / 2
-        if lower and _dominates(top, bottom, upper):
-            return Enclosure(nearest(lower), below(lower), above(upper), stage)
-    size = max(abs(Fraction(int(top[i, i]), int(bottom[i, i]))) for i in range(top.nrows()))
-    for width in (RATIO_WIDTH, *WIDER):
-        upper = lower + max(abs(lower), size) * width
-        if _dominates(top, bottom, upper):
-            return Enclosure(nearest(lower), below(lower), above(upper), _unreached(stage))
-    return Enclosure(nearest(lower), below(lower), None, _unreached(stage))
-
-
-def _dominates(top: Any, bottom: Any, r: Fraction) -> bool:
-    """Tell whether r P - S is proved to be positive definite."""
-    return congruence(rows_of(r.numerator * bottom - r.denominator * top)) is not None
-
-
-def _unreached(stage: str) -> str:
+def unreached(stage: str) -> str:
+    """Words for a bracket wider than it should be."""
     return f"no narrower bracket from {stage}"
 
 

@@ -11,11 +11,12 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from theory.algebra.noncommuting import Form, letters
+from theory.algebra.noncommuting import letters
 from theory.systems.variational.statements import EQUATION, energy
 from verification.answers import Answer
 from verification.exact.evaluate import Rows, at, identity, scaled
-from verification.exact.spectral import Enclosure, generalized_ratio, image_ratio, pencil_radius
+from verification.exact.rayleigh import image_ratio
+from verification.exact.spectral import Enclosure, pencil_radius
 
 from .gains import definite_gains, positive_step
 
@@ -62,7 +63,8 @@ def spectral_radius(values: Mapping[str, Any]) -> Answer:
     Parameters
     ----------
     values : mapping
-        ``M``, ``K``, ``C``: exact symmetric positive definite matrices of one size; ``h``: positive.
+        ``M``, ``K``, ``C``: exact symmetric positive definite matrices of one size; ``h``: a
+        positive rational in the time unit of the gains.
 
     Returns
     -------
