@@ -28,6 +28,7 @@ SYSTEM = "bearing_dac"
 SEARCHED = ("path:2", "path:3")
 """Graphs whose Laplacians the search looks at, smallest first."""
 ENTRIES = (0, 1, -1)
+NODES = ("a", "b", "c")
 
 
 def universal(name: str, identities: Sequence[Identity], case: str = "PROVED") -> dict[str, Any]:
@@ -83,20 +84,22 @@ def lemma_1_symmetric() -> Decision:
         sharp="L + L' >= 0",
         margin_text="not symmetric",
         repair="The symmetric part of L is positive semidefinite, and every eigenvalue of L other "
-        "than the simple 0 has a positive real part.",
+        "than 0 has a positive real part.",
         repair_formula=r"\mathcal{L}+\mathcal{L}^\top\succeq0,\qquad"
         r"\operatorname{Re}\mu>0\ \text{for every eigenvalue}\ \mu\ne0",
         certificates={
             "bearing_dac.lemma_1_symmetric": refuted,
             "bearing_dac.lemma_1_symmetric_repair": repaired,
         },
-        replay=(
-            ("row of L", "a", "b", "c"),
-            ("a", "1", "-1", "0"),
-            ("b", "0", "1", "-1"),
-            ("c", "-1", "0", "1"),
-        ),
+        replay=(("row of L", *NODES), *_triangle_rows()),
     )
+
+
+def _triangle_rows() -> Iterator[tuple[str, ...]]:
+    """L = O(O - J)' of the directed triangle: arc k leads from node k to the next."""
+    for node, name in enumerate(NODES):
+        head = (node + 1) % len(NODES)
+        yield name, *(str((other == node) - (other == head)) for other in range(len(NODES)))
 
 
 def lemma_2_moore_penrose() -> Decision:
