@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
-from .identities import Square, Zero
+from .identities import Square
 from .noncommuting import Form, letters, scalars
 from .rewriting import reduce, rules
 
@@ -102,26 +103,30 @@ def split(form: Form, pivots: Sequence[tuple[str, str]]) -> tuple[tuple[Square, 
     return tuple(squares), rest
 
 
-def change(
-    before: Form, after: Form, relations: Sequence[Form], words: dict[int, str]
-) -> tuple[Form, Zero]:
+def symmetrised(form: Form) -> Form:
+    """Half the sum with the transpose: for forms that are 1 by 1, the same number."""
+    return (form + form.T) * Fraction(1, 2)
+
+
+def decrease(
+    before: Form, after: Form, relations: Sequence[Form], words: Mapping[int, str]
+) -> Form:
     """How much an energy falls along a recursion.
 
     Parameters
     ----------
     before, after : Form
-        The energy at two successive states.
+        The energy at two successive states, 1 by 1.
     relations : sequence of Form
         The recursion from one state to the other, each side moved to the left.
-    words : dict of int to str
+    words : mapping of int to str
         The word that each relation does away with, as in `theory.algebra.rewriting.rules`.
 
     Returns
     -------
     Form
-        before - after, without those words.
-    Zero
-        The multiples of the recursion that were taken away.
+        before - after, without those words, symmetrised. Two forms that agree along the recursion
+        come out the same.
     """
-    taken, rest = reduce(before - after, relations, rules(relations, words))
-    return rest, taken
+    _, rest = reduce(before - after, relations, rules(relations, words))
+    return symmetrised(rest)
