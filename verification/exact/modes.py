@@ -21,6 +21,10 @@ from .evaluate import Rows
 
 GUARD_BITS = 64
 LADDER = (160, 320, 640, 1280)
+SWEEPS = 8
+ZERO = -(1 << 40)
+"""Binary exponent that stands for the number 0."""
+
 LARGE = 40
 """Above this size the last steps of the ladder would take minutes."""
 
@@ -109,30 +113,45 @@ def _modes_of_doubles(e: Any, f: Any) -> Modes | None:
         size = max(abs(x) for x in balanced.entries()).mid()
         if size == 0:
             return None
-        values, vectors = np.linalg.eig(doubles(balanced * (1 / size)).T)
+        try:
+            values, vectors = np.linalg.eig(doubles(balanced * (1 / size)).T)
+        except np.linalg.LinAlgError:  # no convergence
+            return None
         moduli = tuple(Fraction(abs(z)) * exact(size) for z in values.tolist())
         left = flint.acb_mat([[complex(z) for z in row] for row in vectors.T.tolist()])
         return _rounded(moduli, left * flint.acb_mat(back), 53, "doubles")
 
 
 def _balanced(e: Any, f: Any, bits: int) -> tuple[Any, Any]:
-    """T^-1 (E^-1 F) T and T^-1 E^-1, T being the diagonal that balances rows and columns."""
+    """D^-1 (E^-1 F) D and D^-1 E^-1 for the diagonal D of `_balance`."""
     import flint
-    from scipy.linalg import matrix_balance
 
     back = inverse(e, bits)
     step = middle(back * flint.arb_mat(f))
-    size = max(abs(x) for x in step.entries())
-    if size == 0:
-        return step, back
-    in_doubles = doubles(step * (1 / size.mid()))
-    _, (scaling, _) = matrix_balance(in_doubles, permute=False, separate=True)
-    n = e.nrows()
-    right = flint.arb_mat(
-        n, n, [flint.arb(scaling[i]) * (i == j) for i in range(n) for j in range(n)]
-    )
-    left = right.inv()
-    return middle(left * step * right), middle(left * back)
+    powers = _balance([[_head(x) for x in row] for row in step.tolist()])
+    n = len(powers)
+    diagonal = [flint.arb(2) ** powers[i] * (i == j) for i in range(n) for j in range(n)]
+    inverted = [flint.arb(2) ** -powers[i] * (i == j) for i in range(n) for j in range(n)]
+    left = flint.arb_mat(n, n, inverted)
+    return middle(left * step * flint.arb_mat(n, n, diagonal)), middle(left * back)
+
+
+def _balance(heads: list[list[int]]) -> list[int]:
+    """Exponents d such that rows and columns of 2^(heads_ij - d_i + d_j) have like maxima.
+
+    Osborne's iteration in the maximum norm, on binary exponents: whatever the units are, it leaves
+    the range of doubles no sooner than the balanced matrix does.
+    """
+    n = len(heads)
+    powers = [0] * n
+    for _ in range(SWEEPS):
+        for i in range(n):
+            others = [j for j in range(n) if j != i]
+            row = max((heads[i][j] + powers[j] for j in others), default=ZERO)
+            column = max((heads[j][i] - powers[j] for j in others), default=ZERO)
+            if row > ZERO // 2 and column > ZERO // 2:
+                powers[i] = (row - column) // 2
+    return powers
 
 
 def inverse(e: Any, bits: int) -> Any:
@@ -198,7 +217,7 @@ def _rounded(moduli: tuple[Fraction, ...], left: Any, bits: int, stage: str) -> 
 def _head(x: Any) -> int:
     """Exponent of the leading bit, very small for 0."""
     mantissa, exponent = x.man_exp()
-    return int(mantissa).bit_length() + int(exponent) if mantissa else -(1 << 20)
+    return int(mantissa).bit_length() + int(exponent) if mantissa else ZERO
 
 
 def fixed(x: Any, shift: int) -> int:

@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
 from sensortrack.errors import InputError
 
 from .definite import congruence
@@ -26,7 +28,6 @@ from .modes import (
 )
 from .rationals import above, below, nearest
 from .spectral import WIDER, Enclosure, unreached
-
 
 RATIO_WIDTH = Fraction(1, 10**12)
 """Relative width aimed at for generalised eigenvalues."""
@@ -127,7 +128,6 @@ def candidate_vectors(s: Any, p: Any) -> Iterator[tuple[Any, str]]:
         How it was computed.
     """
     import flint
-    from scipy.linalg import LinAlgError, eigh
 
     n = s.nrows()
     halves = [int(p[i, i]).bit_length() // 2 for i in range(n)]
@@ -136,9 +136,14 @@ def candidate_vectors(s: Any, p: Any) -> Iterator[tuple[Any, str]]:
         size = max(abs(x) for x in pair[0].entries()).mid()
         pair[0] = pair[0] * (1 / size)
     try:
-        _, vectors = eigh(*map(doubles, pair), subset_by_index=(n - 1, n - 1))
-        yield _column([flint.arb(float(x)) for x in vectors[:, 0]], halves, 53), "doubles"
-    except LinAlgError:  # P is numerically singular
+        factor = np.linalg.inv(np.linalg.cholesky(doubles(pair[1])))
+        _, vectors = np.linalg.eigh(factor @ doubles(pair[0]) @ factor.T)
+        column = factor.T @ vectors[:, -1]
+        yield (
+            _column([flint.arb(float(x)) for x in column / abs(column).max()], halves, 53),
+            "doubles",
+        )
+    except np.linalg.LinAlgError:  # P is numerically singular
         pass
     for bits in ladder(n):
         yield _column(_vector_of_bits(s, p, halves, bits), halves, bits), f"{bits} bits"
