@@ -10,7 +10,15 @@ from tests.meta.repository import ROOT
 
 PROGRAMS = {
     "lint": ["ruff", "check", "--quiet", "--no-cache", "--output-format=concise", "."],
-    "format": ["ruff", "format", "--quiet", "--no-cache", "--check", "."],
+    "format": [
+        "ruff",
+        "format",
+        "--quiet",
+        "--no-cache",
+        "--check",
+        "--output-format=concise",
+        ".",
+    ],
     "types": ["mypy"],
 }
 
