@@ -138,6 +138,7 @@ class Graph:
         self.factors = listed(data.get("product", []), None, Graph)
         if self.factors:
             need(len(data) == 1 < len(self.factors), "a product has factors only")
+            need(not any(factor.factors for factor in self.factors), "a product among the factors")
             need(all(len(factor.components()) == 1 for factor in self.factors), "a factor in pieces")
             self.n, self.edges = math.prod(factor.n for factor in self.factors), []
             return
@@ -153,7 +154,7 @@ class Graph:
 
     def components(self):
         """Node lists of the components, ordered by smallest node."""
-        home = [0 if self.factors else None] * self.n
+        home = [None] * self.n
         for start in range(self.n):
             walk = [start] if home[start] is None else []
             for i in walk:
@@ -459,6 +460,7 @@ def run(proof, graph, beta, gamma, x0, x1, t):
     """An admissible disturbance drives the error of x' in -beta B SGN(B'x) + M u from x0 to x1."""
     need(not graph.factors and len(graph.components()) == 1, "a connected graph is due")
     x, bound, clock = pick(x0, range(graph.n)), pick(gamma, range(graph.n)), Fraction(0)
+    need(sum(x) == 0, "an error has the sum zero")
     for piece in listed(proof.take({"trajectory": "pieces"})["pieces"]):
         need({*piece} == {"duration", "disturbance", "signs"}, "keys of a piece")
         span, u = number(piece["duration"]), listed(piece["disturbance"], graph.n, number)
@@ -521,8 +523,10 @@ def check_document(document, statements, kind_of_proof=Proof):
     kinds, env = symbols(statement)
     env |= {k: read_input(kind, inputs[k]) for k, kind in statement["inputs"].items()}
     env |= {end: constant(number(ends[end])) for end, fixed in case["ends"].items() if fixed is None}
-    for k, kind in statement["inputs"].items():
-        need(kind != "nodes" or env[k].shape in [(1, 1), (env["graph"].n, 1)], f"{k}: one number a node")
+    for k in [k for k, kind in statement["inputs"].items() if kind == "nodes" and not env["graph"].factors]:
+        if env[k].shape == (1, 1):  # one number stands for all nodes
+            env[k] = matrix([[env[k].number()]] * env["graph"].n)
+        need(env[k].shape == (env["graph"].n, 1), f"{k}: one number a node")
     proof = kind_of_proof(env, document["witness"], kinds)
     proof.given = [proof.read(text) for text in statement["given"]]
     for text in case["show"]:
