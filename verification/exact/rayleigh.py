@@ -14,7 +14,6 @@ import numpy as np
 
 from sensortrack.errors import InputError
 
-from .definite import congruence
 from .evaluate import Rows
 from .modes import (
     GUARD_BITS,
@@ -24,10 +23,10 @@ from .modes import (
     inverse,
     ladder,
     middle,
-    rows_of,
 )
 from .rationals import above, below, nearest
 from .spectral import WIDER, Enclosure, unreached
+from .stein import proved_definite
 
 RATIO_WIDTH = Fraction(1, 10**12)
 """Relative width aimed at for generalised eigenvalues."""
@@ -55,9 +54,10 @@ def generalized_ratio(s: Rows, p: Rows) -> Enclosure:
     InputError
         P is not positive definite.
     """
-    if congruence(p) is None:
+    top, bottom = integer_matrices(s, p)
+    if not proved_definite(bottom):
         raise InputError("P", "a matrix that is not positive definite", "x'Px > 0 is needed")
-    return _largest(*integer_matrices(s, p))
+    return _largest(top, bottom)
 
 
 def image_ratio(e: Rows, f: Rows, p: Rows) -> Enclosure:
@@ -103,7 +103,7 @@ def _largest(top: Any, bottom: Any) -> Enclosure:
 
 def _dominates(top: Any, bottom: Any, r: Fraction) -> bool:
     """Tell whether r P - S is proved to be positive definite."""
-    return congruence(rows_of(r.numerator * bottom - r.denominator * top)) is not None
+    return proved_definite(r.numerator * bottom - r.denominator * top)
 
 
 def quotient(x: Any, s: Any, p: Any) -> Fraction:
