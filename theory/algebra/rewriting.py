@@ -9,7 +9,7 @@ from typing import NamedTuple
 from .identities import Identity, Square, Term, Zero, identity
 from .noncommuting import Form
 
-LIMIT = 10_000
+LIMIT = 2_000
 
 
 class Rule(NamedTuple):
@@ -77,14 +77,14 @@ def reduce(goal: Form, relations: Sequence[Form], known: Sequence[Rule]) -> tupl
     ValueError
         The replacements do not come to an end.
     """
-    rest, taken = goal, Zero(Form({}, goal.symmetric), ())
+    rest, terms = goal, list[Term]()
     for _ in range(LIMIT):
         term = _first(rest, known)
         if term is None:
-            return taken, rest
+            return Zero(goal - rest, tuple(terms)), rest
         relation = relations[term.relation]
-        part = term.left * (relation.T if term.transposed else relation) * term.right
-        rest, taken = rest - part, taken + Zero(part, (term,))
+        rest = rest - term.left * (relation.T if term.transposed else relation) * term.right
+        terms.append(term)
     raise ValueError(f"words: replacements go on after {LIMIT} steps; each must make words simpler")
 
 
