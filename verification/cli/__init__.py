@@ -1,0 +1,1 @@
+"""The ``sensortrack`` command, one short file a sub-command."""

@@ -1,0 +1,173 @@
+"""Kinds of inputs: how what a user gave becomes exact data, and data become values.
+
+A kind is an entry of `KINDS`: one function that reads what was given into exact data, and one that
+fits these data to the rest of the question (the size of the other matrices, the nodes of the
+network).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from sensortrack.errors import InputError
+
+from .exact.rationals import parse_exact
+
+if TYPE_CHECKING:
+    from sensortrack.networks import Network
+
+Rows = tuple[tuple[Fraction, ...], ...]
+LONGEST = 60
+"""Characters of a user's text that an error repeats."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What the other inputs of the same question say.
+
+    Parameters
+    ----------
+    network : Network or None
+        The network of ``--graph``.
+    size : int
+        Rows of the question's matrices; 1 if all of them are given as numbers.
+    """
+
+    network: Network | None
+    size: int
+
+
+@dataclass(frozen=True)
+class Kind:
+    """How one kind of input is read.
+
+    Parameters
+    ----------
+    form : str
+        What the user has to write, for lists and errors.
+    read : callable
+        ``read(name, given)`` returns exact data in the shape given.
+    fit : callable
+        ``fit(name, data, setting)`` returns the value that the quantity gets.
+    """
+
+    form: str
+    read: Callable[[str, object], Any]
+    fit: Callable[[str, Any, Setting], Any]
+
+
+def brief(text: str) -> str:
+    """A user's text on one line of bearable length, for errors."""
+    plain = repr(text)[1:-1]
+    return plain if len(plain) <= LONGEST else plain[:LONGEST] + "…"
+
+
+def shown(given: object) -> str:
+    """What was given, as JSON in short, for errors."""
+    if isinstance(given, str):
+        return f"'{brief(given)}'"
+    return brief(json.dumps(given, default=str))
+
+
+def nearest(name: str, known: Sequence[str]) -> str:
+    """A question that suggests the known name nearest to `name`, or empty."""
+    folded = {entry.casefold(): entry for entry in known}
+    near = get_close_matches(name.casefold(), folded, n=1, cutoff=0.5)
+    return f"did you mean {folded[near[0]]}?" if near else ""
+
+
+def _number(name: str, given: object) -> Fraction:
+    if isinstance(given, (bool, list, dict)) or given is None:
+        raise InputError(name, shown(given), "a number is needed")
+    if isinstance(given, str) and not given.strip():
+        raise InputError(name, "an empty text", "a number is needed")
+    if isinstance(given, str) and given.lstrip()[0] in "[{":
+        raise InputError(name, f"{shown(given)}, which is no JSON", "JSON is needed")
+    return parse_exact(given, name)
+
+
+def _entry(name: str, where: str, given: object) -> Fraction:
+    """One number of a list; the error says where it stands."""
+    try:
+        return _number(name, given)
+    except InputError as error:
+        raise InputError(name, f"{where} is {error.found}", error.needed) from None
+
+
+def _matrix(name: str, given: object) -> Fraction | Rows:
+    if not isinstance(given, list):
+        return _number(name, given)
+    needed = "a number or a square list of rows is needed"
+    if not given:
+        raise InputError(name, "an empty list", needed)
+    for i, row in enumerate(given, start=1):
+        if not isinstance(row, list):
+            raise InputError(name, f"row {i} is {shown(row)}", needed)
+        if len(row) != len(given[0]):
+            found = f"row {i} has {len(row)} numbers, row 1 has {len(given[0])}"
+            raise InputError(name, found, needed)
+    if len(given) != len(given[0]):
+        raise InputError(name, f"{len(given)} x {len(given[0])}", needed)
+    return tuple(
+        tuple(_entry(name, f"entry {i},{j}", value) for j, value in enumerate(row, start=1))
+        for i, row in enumerate(given, start=1)
+    )
+
+
+def _multiple(_: str, data: Fraction | Rows, setting: Setting) -> Rows:
+    """A number as that multiple of the identity."""
+    if isinstance(data, tuple):
+        return data
+    size, zero = range(setting.size), Fraction(0)
+    return tuple(tuple(data if i == j else zero for j in size) for i in size)
+
+
+def _node_numbers(
+    name: str, given: object
+) -> Fraction | tuple[Fraction, ...] | dict[str, Fraction]:
+    if isinstance(given, list):
+        return tuple(_entry(name, f"number {i}", value) for i, value in enumerate(given, start=1))
+    if isinstance(given, dict):
+        return {node: _entry(name, f"node {shown(node)}", v) for node, v in given.items()}
+    return _number(name, given)
+
+
+def _by_node(name: str, data: Any, setting: Setting) -> tuple[Fraction, ...]:
+    """One number a node, in the network's order."""
+    network = setting.network
+    if network is None:
+        raise InputError("graph", "not given", f"{name} has one number a node of --graph")
+    if isinstance(data, Fraction):
+        return (data,) * network.n
+    if isinstance(data, tuple):
+        if len(data) != network.n:
+            needed = f"{network.n} are needed, one a node in the order of the graph"
+            raise InputError(name, f"{len(data)} numbers", needed)
+        return data
+    names = set(network.names)
+    for node in data:
+        if node not in names:
+            hint = nearest(node, network.names[:1000])
+            needed = f"names of {network.label or 'the graph'}'s nodes are needed"
+            raise InputError(name, f"no node is called {shown(node)}", needed, hint)
+    missing = [node for node in network.names if node not in data]
+    if missing:
+        more = f" and {len(missing) - 1} further nodes" if len(missing) > 1 else ""
+        raise InputError(name, f"no number for node {missing[0]!r}{more}", "one a node is needed")
+    return tuple(data[node] for node in network.names)
+
+
+def _as_read(_: str, data: Any, __: Setting) -> Any:
+    return data
+
+
+KINDS: Mapping[str, Kind] = {
+    "number": Kind('a number (0.1, "1/3")', _number, _as_read),
+    "matrix": Kind("a number or a list of rows", _matrix, _multiple),
+    "node numbers": Kind("a number, a list or {node: number}", _node_numbers, _by_node),
+}
