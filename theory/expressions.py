@@ -160,7 +160,7 @@ def parse(text: str) -> Tree:
         The text is not in the language.
     """
     try:
-        return _read(ast.parse(text, mode="eval").body)
+        return _read(ast.parse(text.strip(), mode="eval").body)
     except SyntaxError as error:
         raise FormulaError(f"formula {text!r}: {error.msg}") from error
 
