@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from .expressions import FormulaError, Size, Tree, calls, parse
+from .expressions import Tree, calls, parse
+from .kinds import FormulaError, Size
 
 FRAMES: Mapping[str, str] = {
     "": "no frame: the same for every observer",

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from .claims import Assumption, Claim
-from .expressions import FormulaError, Kind, canonical, check_comparison, names
+from .expressions import canonical, check_comparison, names
+from .kinds import FormulaError, Kind
 from .symbols import DOMAINS, FRAMES, Guard, Law, Parameter, Signal, need
 from .units import parse_unit
 

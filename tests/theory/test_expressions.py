@@ -2,16 +2,8 @@
 
 import pytest
 
-from theory.expressions import (
-    FormulaError,
-    Kind,
-    calls,
-    canonical,
-    check_comparison,
-    kind_of,
-    names,
-    parse,
-)
+from theory.expressions import calls, canonical, check_comparison, kind_of, names, parse
+from theory.kinds import FormulaError, Kind
 from theory.units import NUMBER, parse_unit
 
 

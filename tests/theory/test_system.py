@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 
 from tests.theory.test_claims import CLAIM
-from theory.expressions import FormulaError
+from theory.kinds import FormulaError
 from theory.system import Guard, Law, Parameter, Signal, System
 from theory.systems import SYSTEMS
 
