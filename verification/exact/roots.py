@@ -119,8 +119,9 @@ def _isolated(factor: Any, low: Fraction, high: Fraction) -> Algebraic | None:
     if len(close) != 1:
         return None
     root = close[0]
+    decade = int(float(abs(root.mid()).log() / flint.arb(10).log()))
     for digits in range(3, 60):
-        unit = Fraction(1, 10**digits)
+        unit = Fraction(10) ** (decade - digits)
         floor = Fraction(int((root / _arb(unit)).floor().unique_fmpz() or 0)) * unit
         ceiling = floor + unit
         if sum(not (r < _arb(floor) or r > _arb(ceiling)) for r in real) == 1:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
@@ -30,7 +31,7 @@ def at_minus_one(scheme: Recursion) -> Form:
 def _limit(name: str, scheme: Recursion, values: Mapping[str, Any]) -> Answer:
     gains = definite_gains(values)
     threshold = concave_threshold(matrices(at_minus_one(scheme), gains))
-    if threshold is None:
+    if threshold is None or not (0 < value_of(threshold) < math.inf):
         return Answer(verdict="UNDECIDED", notes=(NO_THRESHOLD,))
     document = certificate(
         "variational",

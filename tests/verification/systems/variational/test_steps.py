@@ -120,3 +120,30 @@ def test_a_larger_matrix_is_certified():
     answer = step_limit(values)
     assert answer.verdict == "PROVED"
     assert answer.upper / answer.lower < 1 + 1e-10
+
+
+@pytest.mark.parametrize(
+    "m,k,c,expected",
+    [
+        ("1e-200", "1e200", "1e-100", 2e-200),
+        ("1", "1e-300", "1", 2e300),
+        ("1e300", "1e300", "1e-300", 2.0),
+    ],
+)
+def test_units_far_from_one_are_no_obstacle(m, k, c, expected):
+    answer = step_limit({n: ((Fraction(x),),) for n, x in zip("MKC", (m, k, c), strict=True)})
+    assert answer.verdict == "PROVED"
+    assert answer.value == pytest.approx(expected, rel=1e-12)
+
+
+def test_unlike_units_of_two_coordinates_are_balanced():
+    small, large = Fraction(1, 10**100), Fraction(10**100)
+    gains = {name: ((Fraction(1), Fraction(0)), (Fraction(0), Fraction(1))) for name in "KC"}
+    answer = step_limit({"M": ((small, Fraction(0)), (Fraction(0), large)), **gains})
+    assert (answer.verdict, answer.value) == ("PROVED", 2.0)
+
+
+def test_a_limit_beyond_all_doubles_is_undecided():
+    values = {"M": ONE, "K": ((Fraction(1, 10**300),),), "C": ((Fraction(10**300),),)}
+    assert step_limit(values).verdict == "UNDECIDED"
+    assert decide_step({**values, "h": Fraction(1)}).verdict == "PROVED"
