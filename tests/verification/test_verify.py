@@ -17,7 +17,7 @@ from verification.systems import SYSTEMS
 from verification.verdict import Decision, Verdict
 from verification.verify import select, tasks_of, verify
 from verification.verify.parallel import run_all
-from verification.verify.sweep import critical_side
+from verification.verify.sweeping import critical_side
 
 CLAIMS = next(system.claims for system in THEORY if system.name == "variational")
 IDS = [claim.id for claim in CLAIMS]

@@ -17,8 +17,8 @@ from .folder import CLAIMS, FACTS, NETWORKS, prepare, write_certificates, write_
 from .parallel import run_all
 from .records import Finding, Record, undecide
 from .selection import Selection, select
-from .sweep import SYSTEM as SWEPT
-from .sweep import sweep
+from .sweeping import SYSTEM as SWEPT
+from .sweeping import sweep
 
 __all__ = ["Outcome", "select", "verify"]
 
