@@ -19,6 +19,7 @@ COMMANDS: Mapping[str, str] = {
     "certify": "does a condition hold for my network and numbers?",
     "bound": "the sharp constant for my data, beside the printed one",
     "check": "re-validate certificates with the standard-library checker",
+    "report": "build the pages again from what verify left",
     "systems": "list the estimators",
     "claims": "list the printed claims",
     "quantities": "list what bound and certify can be asked",

@@ -95,3 +95,24 @@ def test_misuse_is_told_before_any_work(run, tmp_path):
     assert status == 2
     assert err[0].startswith(f"sensortrack: --out: {tmp_path} holds files ")
     assert [path.name for path in tmp_path.iterdir()] == ["mine"]
+
+
+def test_report_builds_the_same_pages_again(run, tmp_path):
+    run("verify", "variational", "--quick", "--out", tmp_path)
+    pages = [tmp_path / "report.html", tmp_path / "report.md"]
+    before = [page.read_text() for page in pages]
+    for page in pages:
+        page.unlink()
+    status, text, _ = run("report", tmp_path)
+    assert (status, text.split()) == (0, list(map(str, pages)))
+    assert [page.read_text() for page in pages] == before
+
+
+@pytest.mark.parametrize("claims", [None, "", "{}", "[1]", "[{}]"])
+def test_report_of_something_else_is_an_input_error(run, tmp_path, claims):
+    if claims is not None:
+        (tmp_path / "claims.json").write_text(claims)
+        (tmp_path / "facts.json").write_text("[]")
+    status, out, err = run("report", tmp_path)
+    assert (status, out) == (2, "")
+    assert err[0].startswith(f"sensortrack: DIR: no report can be made of {tmp_path}: ")
