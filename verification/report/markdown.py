@@ -25,6 +25,11 @@ def escape(text: str) -> str:
     return SPECIAL.sub(r"\\\1", " ".join(text.split()))
 
 
+def _display(latex: str) -> str:
+    """A formula; its order signs are spelled, because Markdown passes tags through."""
+    return "$$" + latex.replace("<", r"\lt ").replace(">", r"\gt ") + "$$"
+
+
 def _row(cells: list[str]) -> str:
     return "| " + " | ".join(cells) + " |"
 
@@ -56,7 +61,7 @@ def _claim(claim: Record) -> list[str]:
     parts = [f"### {claim['id']}", f"**{claim['verdict']}** · {escape(claim['source'])}"]
     parts.append(escape(claim["title"]) + ".")
     if claim["formula"]:
-        parts.append(f"$${claim['formula']}$$")
+        parts.append(_display(claim["formula"]))
     parts.append(
         f"Printed: {escape(claim['printed'] or '–')}. Sharp: {escape(claim['sharp'] or '–')}."
         + (f" {escape(claim['margin_text'])}." if claim["margin_text"] else "")
@@ -64,7 +69,7 @@ def _claim(claim: Record) -> list[str]:
     if claim["repair"]:
         parts.append(f"What is true: {escape(claim['repair'])}")
     if claim["repair_formula"]:
-        parts.append(f"$${claim['repair_formula']}$$")
+        parts.append(_display(claim["repair_formula"]))
     parts.append(f"How it was decided: {escape(claim['reason'])}")
     if claim["replay"]:
         head, *rows = claim["replay"]
@@ -110,7 +115,7 @@ def _facts(findings: Findings) -> str:
     facts = findings.facts
     lines = [
         f"SensorTrack {facts['version']}, {facts['date']}, Python {facts['python']}, "
-        f"`{facts['command']}`."
+        f"`{facts['command'].replace('`', '')}`."
     ]
     lines += [
         f"- {name}: {escape(entry['citation'])}; digest `{entry['digest'][:16]}`"
