@@ -26,6 +26,7 @@ NO_ANSWER = 3
 def add_arguments(parser: argparse.ArgumentParser, what: str) -> None:
     """Add the arguments that `bound` and `certify` take."""
     parser.add_argument("what", metavar=f"SYSTEM.{what.upper()}")
+    parser.epilog = "'sensortrack quantities' lists what can be asked, and with which inputs"
     given.add_arguments(parser)
     parser.add_argument("--out", metavar="FILE", help="write the certificate to this file")
     parser.add_argument(
