@@ -1,0 +1,103 @@
+"""Compile a C source of this folder once, keep the library in the user's cache, and load it.
+
+The library's name carries a digest of the source, the flags and the machine, so that an edited
+source is compiled anew and an unchanged one is not. Whatever goes wrong on the way (no compiler,
+no cache folder, a compiler that cannot read the source) leaves a kernel without library whose
+`reason` says why; callers then take their road in Python.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import os
+import platform
+import shlex
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-ffp-contract=off")
+COMPILE_SECONDS = 120
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A compiled C source, or the reason why there is none.
+
+    Parameters
+    ----------
+    name : str
+        Name of the source without its ending.
+    library : ctypes.CDLL or None
+        The loaded library.
+    reason : str
+        Why there is no library; empty if there is one.
+    """
+
+    name: str
+    library: ctypes.CDLL | None
+    reason: str = ""
+
+
+def kernel(name: str) -> Kernel:
+    """Compile and load ``NAME.c`` of this folder.
+
+    Parameters
+    ----------
+    name : str
+        Name of the source without its ending.
+
+    Returns
+    -------
+    Kernel
+        Without library if ``SENSORTRACK_NO_COMPILER`` is 1 or the source cannot be compiled here.
+    """
+    if os.environ.get("SENSORTRACK_NO_COMPILER") == "1":
+        return Kernel(name, None, "SENSORTRACK_NO_COMPILER is 1")
+    return _kernel(name, os.environ.get("CC", "cc"), str(cache_folder()))
+
+
+def cache_folder() -> Path:
+    """Folder of compiled libraries: below ``XDG_CACHE_HOME``, else ``~/.cache``."""
+    base = os.environ.get("XDG_CACHE_HOME", "")
+    parent = Path(base) if Path(base).is_absolute() else Path("~/.cache").expanduser()
+    return parent / "sensortrack" / "kernels"
+
+
+@cache
+def _kernel(name: str, compiler: str, folder: str) -> Kernel:
+    try:
+        return Kernel(name, ctypes.CDLL(str(_built(name, shlex.split(compiler), Path(folder)))))
+    except (OSError, ValueError, subprocess.SubprocessError) as error:
+        detail = error.stderr if isinstance(error, subprocess.CalledProcessError) else ""
+        return Kernel(name, None, f"{name}.c: {error} {detail}".strip())
+
+
+def _built(name: str, compiler: list[str], folder: Path) -> Path:
+    """Path of the library, compiled if it is not in the cache."""
+    source = Path(__file__).with_name(f"{name}.c")
+    keys = (*compiler, *FLAGS, platform.system(), platform.machine())
+    digest = hashlib.sha256(source.read_bytes() + "\0".join(keys).encode()).hexdigest()
+    target = folder / f"{name}-{digest[:24]}.so"
+    if not target.exists():
+        _compile(compiler, source, target)
+    return target
+
+
+def _compile(compiler: list[str], source: Path, target: Path) -> None:
+    """Compile beside the target and rename, so that nobody ever loads half a library."""
+    if not compiler or shutil.which(compiler[0]) is None:
+        raise FileNotFoundError(f"no C compiler {' '.join(compiler)!r}")
+    target.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    handle, unfinished = tempfile.mkstemp(suffix=".so", dir=target.parent)
+    os.close(handle)
+    command = [*compiler, *FLAGS, "-o", unfinished, str(source), "-lm"]
+    try:
+        subprocess.run(command, check=True, capture_output=True, text=True, timeout=COMPILE_SECONDS)
+        Path(unfinished).replace(target)
+    finally:
+        Path(unfinished).unlink(missing_ok=True)

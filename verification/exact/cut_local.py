@@ -1,0 +1,146 @@
+"""Good cuts by sweeps along slow modes and local moves: candidates, measured exactly in the end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .cut_orders import laplacian_modes
+from .cut_problem import Aim, Problem, Test
+
+MODES = 4
+PASSES = 12
+MOVED_NODES = 3000
+"""Above this size cuts are swept but not improved node by node."""
+
+Flags = NDArray[np.bool_]
+Floats = NDArray[np.float64]
+
+
+class Scale:
+    """A problem in doubles, and how bad a cut is: the larger, the nearer to the answer."""
+
+    def __init__(self, task: Problem, test: Test, aim: Aim) -> None:
+        from scipy.sparse import coo_matrix
+
+        unit, top = max(task.weights), max(task.gamma) or 1
+        self.n, self.aim = task.n, aim
+        self.weights = np.array([w / unit for w in task.weights])
+        self.gamma = np.array([g / top for g in task.gamma])
+        self.first, self.second = task.edges[:, 0], task.edges[:, 1]
+        ends = (np.r_[self.first, self.second], np.r_[self.second, self.first])
+        both = np.r_[self.weights, self.weights]
+        self.links = coo_matrix((both, ends), shape=(self.n, self.n)).tocsr()
+        self.degrees = np.bincount(ends[0], both, self.n)
+        size = max(abs(test.b * unit), abs(test.c * top), 1)
+        self.b, self.c = test.b * unit / size, test.c * top / size
+
+    def badness(self, k: Floats, inside: Floats, s: Floats) -> Floats:
+        """load/k, or s (n - s) over the square of b k - c load."""
+        load = (self.n - 2 * s) * inside + s * self.gamma.sum()
+        proper = (s > 0) & (s < self.n)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            if self.aim is Aim.RATE:
+                value = s * (self.n - s) / (self.b * k - self.c * load) ** 2
+            else:
+                value = load / k
+        return np.where(proper, value, -np.inf)
+
+    def sweep(self, line: Floats) -> Flags:
+        """The worst cut between two neighbours along a line."""
+        order = np.argsort(line, kind="stable")
+        place = np.empty(self.n, dtype=np.int64)
+        place[order] = np.arange(self.n)
+        ends = np.sort(np.stack([place[self.first], place[self.second]]), axis=0)
+        steps = np.bincount(ends[0], self.weights, self.n) - np.bincount(
+            ends[1], self.weights, self.n
+        )
+        k, inside = np.cumsum(steps)[:-1], np.cumsum(self.gamma[order])[:-1]
+        best = int(np.argmax(self.badness(k, inside, np.arange(1.0, self.n))))
+        flags: Flags = place <= best
+        return flags
+
+    def improve(self, flags: Flags) -> Flags:
+        """Move one node after the other, each once a pass, and keep the worst cut on the way."""
+        for _ in range(PASSES):
+            better = self._pass(flags)
+            if better is None:
+                break
+            flags = better
+        return flags
+
+    def _pass(self, flags: Flags) -> Flags | None:
+        side = flags.copy()
+        across = self.links @ np.where(side, -1.0, 1.0)  # links out of S minus links into S
+        k = float(self.weights[side[self.first] != side[self.second]].sum())
+        inside, s = float(self.gamma[side].sum()), int(side.sum())
+        top = best = float(self.badness(np.array(k), np.array(inside), np.array(s)))
+        keep: Flags | None = None
+        free = np.ones(self.n, dtype=bool)
+        for _ in range(self.n):
+            sign = np.where(side, -1, 1)
+            values = self.badness(k + sign * across, inside + sign * self.gamma, s + sign)
+            values[~free] = -np.inf
+            move = int(np.argmax(values))
+            if values[move] == -np.inf:
+                break
+            k += sign[move] * across[move]
+            inside, s = inside + sign[move] * self.gamma[move], s + int(sign[move])
+            side[move] = not side[move]
+            free[move] = False
+            row = slice(self.links.indptr[move], self.links.indptr[move + 1])
+            across[self.links.indices[row]] -= 2 * sign[move] * self.links.data[row]
+            if values[move] > best * (1 + 1e-12):
+                best, keep = float(values[move]), side.copy()
+        return keep if best > top * (1 + 1e-12) else None
+
+
+def good_cut(task: Problem, test: Test, aim: Aim) -> tuple[int, ...]:
+    """A cut that is hard to beat.
+
+    Parameters
+    ----------
+    task : Problem
+        Two nodes or more.
+    test : Test
+        Its b and c, for ``Aim.RATE``.
+    aim : Aim
+        ``RATIO`` or ``RATE``.
+
+    Returns
+    -------
+    tuple of int
+        Nodes of one side, increasing.
+    """
+    scale = Scale(task, test, aim)
+    cuts = list(_starts(task, scale))
+    if task.n <= MOVED_NODES:
+        cuts = [scale.improve(flags) for flags in cuts]
+    nodes = [tuple(int(i) for i in np.flatnonzero(flags)) for flags in cuts]
+    return max(set(nodes), key=lambda cut: _rank(task, test, aim, cut))
+
+
+def _rank(task: Problem, test: Test, aim: Aim, cut: tuple[int, ...]) -> tuple[float, int]:
+    """How bad, exactly but for one rounding at the end; smaller sides win ties."""
+    k, load, s = task.measure(cut)
+    if aim is Aim.RATE:
+        gap = test.b * k - test.c * load
+        value = s * (task.n - s) / gap**2 if gap > 0 else float("inf")
+    else:
+        value = load / k
+    return value, -s
+
+
+def _starts(task: Problem, scale: Scale) -> Iterator[Flags]:
+    singles = scale.badness(scale.degrees.astype(float), scale.gamma, np.ones(task.n))
+    single = np.zeros(task.n, dtype=bool)
+    single[int(np.argmax(singles))] = True
+    yield single
+    modes = laplacian_modes(task, MODES).slow
+    for mode in modes.T:
+        yield scale.sweep(mode)
+    if modes.shape[1] > 1:
+        for angle in np.arange(1, 8) * np.pi / 8:
+            yield scale.sweep(np.cos(angle) * modes[:, 0] + np.sin(angle) * modes[:, 1])
