@@ -475,8 +475,8 @@ def check_file(path, statements):
     except Exception as error:  # whatever a hostile file provokes, it proves nothing
         reason = str(error) if isinstance(error, Reject) else f"{type(error).__name__}: {error}"
         return {"file": path, "valid": False, **entry, "reason": printable(reason)}, status
-def printable(value):  # some hundred characters that play no tricks with a terminal: authors choose the names
-    return ascii(str(value)[:800])[1:-1]
+def printable(value):  # a page at most, that plays no tricks with a terminal: names are chosen by an author
+    return ascii(str(value)[:5000])[1:-1]
 
 def main(argv):
     parser = argparse.ArgumentParser(prog="check.py", description=__doc__.splitlines()[0])
@@ -492,7 +492,7 @@ def main(argv):
     if options.json:
         print(json.dumps([entry for entry, _ in results], indent=1))
     for entry, _ in [] if options.json else results:
-        print("VALID" if entry.pop("valid") else "INVALID")
+        print("VALID" if entry.pop("valid") else "INVALID", printable(entry.pop("file")))
         print(*(f"  {key}: {printable(value)}" for key, value in entry.items() if value), sep="\n")
     return max(status for _, status in results)
 
