@@ -15,8 +15,18 @@ PASSES = 12
 MOVED_NODES = 3000
 """Above this size cuts are swept but not improved node by node."""
 
+SWEPT_NODES = 20_000
+"""Above this size only the cuts of one node are tried."""
+
+CONGESTION = 8
+"""Power of the relative load that makes the length of an edge."""
+
+IMPROVED = 4
+"""How many of the best sweeps along congested edges are improved."""
+
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
+Cut = tuple[int, ...]
 
 
 class Scale:
@@ -43,7 +53,7 @@ class Scale:
         proper = (s > 0) & (s < self.n)
         with np.errstate(divide="ignore", invalid="ignore"):
             if self.aim is Aim.RATE:
-                value = s * (self.n - s) / (self.b * k - self.c * load) ** 2
+                value = s * (self.n - s) / np.maximum(self.b * k - self.c * load, 0) ** 2
             else:
                 value = load / k
         return np.where(proper, value, -np.inf)
@@ -97,7 +107,7 @@ class Scale:
         return keep if best > top * (1 + 1e-12) else None
 
 
-def good_cut(task: Problem, test: Test, aim: Aim) -> tuple[int, ...]:
+def good_cut(task: Problem, test: Test, aim: Aim) -> Cut:
     """A cut that is hard to beat.
 
     Parameters
@@ -115,14 +125,51 @@ def good_cut(task: Problem, test: Test, aim: Aim) -> tuple[int, ...]:
         Nodes of one side, increasing.
     """
     scale = Scale(task, test, aim)
-    cuts = list(_starts(task, scale))
+    return _best(task, test, scale, list(_starts(task, scale)))
+
+
+def congested_cut(task: Problem, test: Test, shares: Floats) -> Cut:
+    """A cut of large load/k where a good routing has little room left.
+
+    Sets of nodes that are near to a node, congested edges counting as long, are what the rounding
+    of Leighton and Rao looks at.
+
+    Parameters
+    ----------
+    task : Problem
+    test : Test
+    shares : ndarray, shape (m,)
+        Load of each edge over its weight, in any unit.
+
+    Returns
+    -------
+    tuple of int
+        Nodes of one side, increasing.
+    """
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import dijkstra
+
+    scale = Scale(task, test, Aim.RATIO)
+    lengths = (shares / shares.max()) ** CONGESTION + 1e-4
+    graph = csr_matrix((lengths, (scale.first, scale.second)), shape=(task.n, task.n))
+    sweeps = [scale.sweep(row) for row in dijkstra(graph, directed=False)]
+    distinct = list({flags.tobytes(): flags for flags in sweeps}.values())
+    ranked = sorted(distinct, key=lambda flags: _rank(task, test, scale.aim, _nodes(flags)))
+    return _best(task, test, scale, ranked[-IMPROVED:])
+
+
+def _best(task: Problem, test: Test, scale: Scale, cuts: list[Flags]) -> Cut:
+    """The worst of some cuts after improving them."""
     if task.n <= MOVED_NODES:
         cuts = [scale.improve(flags) for flags in cuts]
-    nodes = [tuple(int(i) for i in np.flatnonzero(flags)) for flags in cuts]
-    return max(set(nodes), key=lambda cut: _rank(task, test, aim, cut))
+    return max({_nodes(flags) for flags in cuts}, key=lambda cut: _rank(task, test, scale.aim, cut))
 
 
-def _rank(task: Problem, test: Test, aim: Aim, cut: tuple[int, ...]) -> tuple[float, int]:
+def _nodes(flags: Flags) -> Cut:
+    return tuple(int(i) for i in np.flatnonzero(flags))
+
+
+def _rank(task: Problem, test: Test, aim: Aim, cut: Cut) -> tuple[float, int]:
     """How bad, exactly but for one rounding at the end; smaller sides win ties."""
     k, load, s = task.measure(cut)
     if aim is Aim.RATE:
@@ -138,6 +185,8 @@ def _starts(task: Problem, scale: Scale) -> Iterator[Flags]:
     single = np.zeros(task.n, dtype=bool)
     single[int(np.argmax(singles))] = True
     yield single
+    if task.n > SWEPT_NODES:
+        return
     modes = laplacian_modes(task, MODES).slow
     for mode in modes.T:
         yield scale.sweep(mode)

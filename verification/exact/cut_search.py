@@ -96,6 +96,10 @@ class Walk:
             return self._search_in_c(library, test, aim, limit)
         return self._search_in_python(test, aim, limit)
 
+    def runs_in_c(self, test: Test, aim: Aim) -> bool:
+        """Whether a search would run in C, some hundred times as fast."""
+        return kernel("cuts").library is not None and self._fits(test, aim)
+
     def _fits(self, test: Test, aim: Aim) -> bool:
         """Whether no product in C leaves 127 bits and no number 62."""
         task = self.task

@@ -60,7 +60,8 @@ def route(
         The part ``{"kind": "routing", "unit", "flows"}`` of a certificate.
     """
     task = problem(network, gamma)
-    found = routed(task, task.gain_test(cut_value))
+    target = task.gain_test(cut_value)
+    found = better_routing(task, first_routing(task), target)
     return found.up, found.part()
 
 
@@ -78,6 +79,7 @@ class Routing:
     def __init__(self, task: Problem, unit: int, flows: NDArray[np.int64]) -> None:
         self.unit, self.flows = unit, flows
         self.up = largest_load(task, unit, flows)
+        self.shares = Carrier(task).shares(flows / unit)
 
     def part(self) -> dict[str, Any]:
         """The witness."""
@@ -85,25 +87,38 @@ class Routing:
         return {"kind": "routing", "unit": self.unit, "flows": rows}
 
 
-def routed(task: Problem, target: Test) -> Routing:
+def first_routing(task: Problem) -> Routing:
+    """Route along currents, in time n^3.
+
+    Parameters
+    ----------
+    task : Problem
+        Connected, bounds not all zero.
+    """
+    carrier = Carrier(task)
+    return min(rounded(task, carrier, electrical_flows(carrier)), key=lambda routing: routing.up)
+
+
+def better_routing(task: Problem, first: Routing, target: Test) -> Routing:
     """Route until no cut can lie above the target, or no better routing is found.
 
     Parameters
     ----------
     task : Problem
         Connected, bounds not all zero.
+    first : Routing
+        Where to start.
     target : Test
         The test of the best cut known.
 
     Returns
     -------
     Routing
+        The best that was found.
     """
-    carrier = Carrier(task)
-    best = rounded(task, carrier, electrical_flows(carrier))[0]
-    if closes(task, target, best.up):
-        return best
-    low = task.ratio(target)
+    if closes(task, target, first.up):
+        return first
+    carrier, low = Carrier(task), task.ratio(target)
 
     def settled(lower: float, upper: float) -> bool:
         """Whether going on is pointless: the best routing closes, or is known not to."""
@@ -111,10 +126,10 @@ def routed(task: Problem, target: Test) -> Routing:
             task, target, max(low, Fraction(lower) * (1 - Fraction(1, 10**6)))
         )
 
-    proposal = better_flows(carrier, best.flows / best.unit, settled)
-    for candidate in rounded(task, carrier, proposal):
-        best = min(best, candidate, key=lambda routing: routing.up)
-    return best
+    start = first.flows / first.unit
+    proposal = better_flows(carrier, start, settled)
+    found = [first] if proposal is start else [first, *rounded(task, carrier, proposal)]
+    return min(found, key=lambda routing: routing.up)
 
 
 def closes(task: Problem, target: Test, up: Fraction) -> bool:

@@ -1,0 +1,287 @@
+"""Ways to the worst cut of one connected network, and to a witness that no cut is worse.
+
+On a tree single edges decide. Else all cuts are searched, if few enough stay open; for the gain
+threshold, disturbances are routed. A witness for one test is a witness for every weaker test: a
+search then ends its branches no later, and what a routing leaves open shrinks.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from .cut_local import congested_cut, good_cut
+from .cut_orders import orders
+from .cut_problem import Aim, Problem, Test
+from .cut_search import LARGEST, Found, Walk
+from .routing import Routing, better_routing, closes, first_routing
+
+Part = dict[str, Any]
+Cut = tuple[int, ...]
+
+LIMITS = (20_000, 2_000_000)
+"""Visits of a search before other roads are tried, and after."""
+
+LATE_ORDERS = 3
+"""How many orders are tried up to the higher limit."""
+
+LONG_NODES = 40
+"""Up to this size a search may be far longer than the checker's, for the value alone."""
+
+LOOSER = tuple(Fraction(k, 1000) for k in (1003, 1010, 1030, 1100, 1300, 2000, 4000, 16000))
+"""Factors by which a test is weakened where it cannot be shown."""
+
+
+@dataclass(frozen=True)
+class Budget:
+    """What may be spent on one network.
+
+    Parameters
+    ----------
+    visits : int
+        Nodes of a search tree in all witnesses together; the checker refuses more.
+    search : int
+        Nodes of a search for the value alone.
+    flows : int
+        Most entries n m of a routing.
+    """
+
+    visits: int = 2_000_000
+    search: int = 300_000_000
+    flows: int = 1_000_000
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A test that all cuts pass, the witness, and how many nodes of a search tree it costs."""
+
+    test: Test
+    part: Part
+    visits: int = 0
+
+
+@dataclass(frozen=True)
+class Solved:
+    """The worst cut that was found in one connected network.
+
+    Parameters
+    ----------
+    cut : tuple of int
+    test : Test or None
+        What this cut just passes; None if it leaves no rate above 0.
+    shown : Shown or None
+        The strongest test with a witness: closed if it is `test`.
+    complete : bool
+        Whether a search of all cuts found no worse one, witness or not.
+    """
+
+    cut: Cut
+    test: Test | None
+    shown: Shown | None = None
+    complete: bool = False
+
+    @property
+    def closed(self) -> bool:
+        """Whether the cut is proved to be the worst."""
+        return self.shown is not None and self.shown.test == self.test
+
+
+def solve(task: Problem, start: Test, aim: Aim, budget: Budget) -> Solved:
+    """Find the worst cut of a connected network and show that it is.
+
+    Parameters
+    ----------
+    task : Problem
+        Two nodes or more.
+    start : Test
+        Carries b and c for ``Aim.RATE``; for ``Aim.RATIO`` a test that no load passes.
+    aim : Aim
+        ``RATIO`` or ``RATE``.
+    budget : Budget
+
+    Returns
+    -------
+    Solved
+    """
+    if len(task.edges) == task.n - 1:
+        return _tree(task, start, aim)
+    if aim is Aim.RATIO and task.total == 0:
+        part = {"kind": "enumeration", "order": list(range(task.n))}
+        shown = Shown(start, part, 2) if task.n <= LARGEST else None
+        return Solved((0,), start, shown, True)
+    solved = _with(task, start, aim, Solved((), start), good_cut(task, start, aim))
+    if solved.test is None:
+        return solved
+    for limit, count in zip(LIMITS, (None, LATE_ORDERS), strict=True):
+        solved = _searched(task, solved, aim, min(limit, budget.visits), count)
+        if solved.test is None or solved.closed:
+            return solved
+        if aim is Aim.RATIO and limit == LIMITS[0]:
+            solved = _routed(task, start, solved, budget)
+            if solved.closed:
+                return solved
+    solved = _valued(task, solved, aim, budget)
+    return _loosened(task, solved, aim, min(LIMITS[0] * 10, budget.visits))
+
+
+def refute_or_show(task: Problem, test: Test, budget: Budget) -> Cut | Shown | None:
+    """Decide one test b k >= N of the weights and loads, if the budget allows.
+
+    Returns
+    -------
+    tuple of int, Shown or None
+        A cut that does not pass, or the witness that all cuts do, or None.
+    """
+    if len(task.edges) == task.n - 1:
+        solved = _tree(task, Test(0, 1), Aim.RATIO)
+        passes = test.clears(task.n, *task.measure(solved.cut))
+        return Shown(test, {"kind": "tree"}) if passes else solved.cut
+    if task.n > LARGEST:
+        return None
+    for order in list(orders(task))[:LATE_ORDERS]:
+        found = Walk(task, order).search(test, Aim.FAILURE, budget.visits)
+        if found.done:
+            part = {"kind": "enumeration", "order": list(order)}
+            return found.cut or Shown(test, part, found.visits)
+    return None
+
+
+def _with(task: Problem, start: Test, aim: Aim, solved: Solved, cut: Cut) -> Solved:
+    """Keep a cut if it is worse than what was found."""
+    k, load, s = task.measure(cut)
+    better = solved.test is not None and not solved.test.clears(task.n, k, load, s)
+    if solved.cut and not better:
+        return solved
+    return replace(solved, cut=cut, test=start.marked(aim, task.n, k, load, s))
+
+
+def _tree(task: Problem, start: Test, aim: Aim) -> Solved:
+    """The worst single edge."""
+    import numpy as np
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import breadth_first_order
+
+    n, ends = task.n, task.edges
+    places = np.arange(1, n)
+    links = csr_matrix((places, (ends[:, 0], ends[:, 1])), shape=(n, n))
+    order, parents = breadth_first_order(links, 0, directed=False)
+    weight_up = [0] * n
+    for (i, j), weight in zip(ends.tolist(), task.weights, strict=True):
+        weight_up[i if parents[i] == j else j] = weight
+    below, inside = [1] * n, list(task.gamma)
+    worst, test = -1, start
+    for node in order[:0:-1].tolist():
+        k, load = weight_up[node], task.load(below[node], inside[node])
+        if worst < 0 or not test.clears(n, k, load, below[node]):
+            marked = start.marked(aim, n, k, load, below[node])
+            if marked is None:
+                return Solved(_below(parents.tolist(), order.tolist(), node), None)
+            worst, test = node, marked
+        up = int(parents[node])
+        below[up], inside[up] = below[up] + below[node], inside[up] + inside[node]
+    cut = _below(parents.tolist(), order.tolist(), worst)
+    return Solved(cut, test, Shown(test, {"kind": "tree"}), True)
+
+
+def _below(parents: list[int], order: list[int], top: int) -> Cut:
+    """Nodes of the subtree of a node."""
+    inside = {top}
+    for node in order:
+        if parents[node] in inside:
+            inside.add(node)
+    return tuple(sorted(inside))
+
+
+def _searched(task: Problem, solved: Solved, aim: Aim, limit: int, count: int | None) -> Solved:
+    """Search all cuts in several orders; keep the order with the fewest visits."""
+    if task.n > LARGEST:
+        return solved
+    walks = [Walk(task, order) for order in list(orders(task))[:count]]
+    for walk in walks:
+        assert solved.test is not None
+        found = walk.search(solved.test, aim, limit)
+        solved = _improved(task, solved, aim, found)
+        if solved.test is None:
+            return replace(solved, complete=True)
+        if found.done:
+            return _shortest(solved, walks, limit)
+    return solved
+
+
+def _improved(task: Problem, solved: Solved, aim: Aim, found: Found) -> Solved:
+    """Keep the cut of a search for ratio or rate: it is worse than the one before."""
+    if found.cut is None or solved.test is None:
+        return solved
+    test = solved.test.marked(aim, task.n, *task.measure(found.cut))
+    return replace(solved, cut=found.cut, test=test, shown=None)
+
+
+def _shortest(solved: Solved, walks: list[Walk], limit: int) -> Solved:
+    """Witness in the order with the fewest visits at the final test."""
+    test = solved.test
+    assert test is not None
+    best: Shown | None = None
+    for walk in walks:
+        found = walk.search(test, Aim.FAILURE, best.visits - 1 if best else limit)
+        if found.done:
+            best = Shown(test, {"kind": "enumeration", "order": list(walk.order)}, found.visits)
+    return replace(solved, shown=best, complete=True)
+
+
+def _routed(task: Problem, start: Test, solved: Solved, budget: Budget) -> Solved:
+    """Route disturbances; where that leaves room, look for a worse cut where they pile up."""
+    if task.n * len(task.edges) > budget.flows:
+        return solved
+    try:
+        routing = first_routing(task)
+    except (ArithmeticError, ValueError):  # hopelessly unlike weights: numpy gives up
+        return solved
+    assert solved.test is not None
+    if not closes(task, solved.test, routing.up):
+        cut = congested_cut(task, start, routing.shares)
+        solved = _with(task, start, Aim.RATIO, solved, cut)
+        assert solved.test is not None
+        routing = better_routing(task, routing, solved.test)
+    return _with_routing(task, solved, routing)
+
+
+def _with_routing(task: Problem, solved: Solved, routing: Routing) -> Solved:
+    assert solved.test is not None
+    if closes(task, solved.test, routing.up):
+        return replace(solved, shown=Shown(solved.test, routing.part()), complete=True)
+    return replace(solved, shown=Shown(task.gain_test(routing.up), routing.part()))
+
+
+def _valued(task: Problem, solved: Solved, aim: Aim, budget: Budget) -> Solved:
+    """Search all cuts for the value alone."""
+    if task.n > LONG_NODES or solved.complete or solved.test is None:
+        return solved
+    walk = Walk(task, next(orders(task)))
+    if not walk.runs_in_c(solved.test, aim):
+        return solved
+    found = walk.search(solved.test, aim, budget.search)
+    return replace(_improved(task, solved, aim, found), complete=found.done)
+
+
+def _loosened(task: Problem, solved: Solved, aim: Aim, limit: int) -> Solved:
+    """A weaker test with a witness, unless a routing already gives a stronger one."""
+    if task.n > LARGEST or solved.test is None:
+        return solved
+    walk = Walk(task, next(orders(task)))
+    for factor in LOOSER:
+        test = _weaker(solved.test, aim, factor)
+        if solved.shown is not None and task.ratio(solved.shown.test) <= task.ratio(test):
+            break
+        found = walk.search(test, Aim.FAILURE, limit)
+        if found.done and found.cut is None:
+            part = {"kind": "enumeration", "order": list(walk.order)}
+            return replace(solved, shown=Shown(test, part, found.visits))
+    return solved
+
+
+def _weaker(test: Test, aim: Aim, factor: Fraction) -> Test:
+    """The test of a larger gain, or of a smaller rate."""
+    if aim is Aim.RATIO:
+        return Test(test.b * factor.numerator, test.c * factor.denominator)
+    return replace(test, q=test.q * factor.numerator**2, d=test.d * factor.denominator)
