@@ -156,7 +156,7 @@ class Cuts:
         self.total, self.near = sum(self.gamma), [{} for _ in nodes]
         for i, j, w in self.edges:
             self.near[i][j] = self.near[j][i] = int(w * self.b * self.unit * self.n)
-        self.q, self.r = (f / (spread * self.n * self.unit**2)).as_integer_ratio() if spread else (1, 0)
+        self.q, self.r = (f / (spread * self.n * self.unit**2)).as_integer_ratio() if spread else (f > 0, 0)
     def load(self, s, inside):
         return (self.n - 2 * s) * inside + s * self.total
     def clear(self, k, load, s):
