@@ -21,8 +21,8 @@ SWEPT_NODES = 20_000
 CONGESTION = 8
 """Power of the relative load that makes the length of an edge."""
 
-IMPROVED = 4
-"""How many of the best sweeps along congested edges are improved."""
+IMPROVED = 5
+"""How many of the worst sweeps are improved."""
 
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
@@ -152,17 +152,20 @@ def congested_cut(task: Problem, test: Test, shares: Floats) -> Cut:
     scale = Scale(task, test, Aim.RATIO)
     lengths = (shares / shares.max()) ** CONGESTION + 1e-4
     graph = csr_matrix((lengths, (scale.first, scale.second)), shape=(task.n, task.n))
-    sweeps = [scale.sweep(row) for row in dijkstra(graph, directed=False)]
-    distinct = list({flags.tobytes(): flags for flags in sweeps}.values())
-    ranked = sorted(distinct, key=lambda flags: _rank(task, test, scale.aim, _nodes(flags)))
-    return _best(task, test, scale, ranked[-IMPROVED:])
+    return _best(task, test, scale, [scale.sweep(row) for row in dijkstra(graph, directed=False)])
 
 
 def _best(task: Problem, test: Test, scale: Scale, cuts: list[Flags]) -> Cut:
-    """The worst of some cuts after improving them."""
+    """The worst of some cuts after improving the worst of them."""
+
+    def rank(cut: Cut) -> tuple[float, int]:
+        return _rank(task, test, scale.aim, cut)
+
+    distinct = {flags.tobytes(): flags for flags in cuts}.values()
+    chosen = sorted(distinct, key=lambda flags: rank(_nodes(flags)))[-IMPROVED:]
     if task.n <= MOVED_NODES:
-        cuts = [scale.improve(flags) for flags in cuts]
-    return max({_nodes(flags) for flags in cuts}, key=lambda cut: _rank(task, test, scale.aim, cut))
+        chosen += [scale.improve(flags) for flags in chosen]
+    return max({_nodes(flags) for flags in chosen}, key=rank)
 
 
 def _nodes(flags: Flags) -> Cut:

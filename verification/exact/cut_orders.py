@@ -116,16 +116,23 @@ def laplacian_modes(task: Problem, count: int) -> Modes:
 
 def twin_groups(task: Problem) -> list[list[int]]:
     """Classes of nodes that can be swapped with each other."""
-    classes: dict[tuple[int, int, int], list[list[int]]] = {}
+    groups: list[list[int]] = []
+    # twins without link between them have the same neighbours, others the same but themselves
+    known: dict[tuple[bool, int, int, int], list[list[int]]] = {}
     for node, row in enumerate(task.near):
-        key = (task.gamma[node], len(row), sum(row.values()))
-        for group in classes.setdefault(key, []):
-            if twins(task, group[0], node):
-                group.append(node)
-                break
-        else:
-            classes[key].append([node])
-    return [group for groups in classes.values() for group in groups]
+        apart, joined = (
+            (linked, task.gamma[node], len(row), sum(row) + linked * node)
+            for linked in (False, True)
+        )
+        near = [*known.get(apart, []), *known.get(joined, [])]
+        group = next((group for group in near if twins(task, group[0], node)), None)
+        if group is None:
+            group = []
+            groups.append(group)
+            known.setdefault(apart, []).append(group)
+            known.setdefault(joined, []).append(group)
+        group.append(node)
+    return groups
 
 
 def gathered(order: Sequence[int], groups: Sequence[Sequence[int]]) -> tuple[int, ...]:

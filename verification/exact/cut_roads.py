@@ -20,7 +20,7 @@ from .routing import Routing, better_routing, closes, first_routing
 Part = dict[str, Any]
 Cut = tuple[int, ...]
 
-LIMITS = (20_000, 2_000_000)
+LIMITS = (50_000, 2_000_000)
 """Visits of a search before other roads are tried, and after."""
 
 LATE_ORDERS = 3
@@ -122,7 +122,7 @@ def solve(task: Problem, start: Test, aim: Aim, budget: Budget) -> Solved:
             if solved.closed:
                 return solved
     solved = _valued(task, solved, aim, budget)
-    return _loosened(task, solved, aim, min(LIMITS[0] * 10, budget.visits))
+    return _loosened(task, solved, aim, min(LIMITS[0] * 4, budget.visits))
 
 
 def refute_or_show(task: Problem, test: Test, budget: Budget) -> Cut | Shown | None:
