@@ -1,0 +1,1 @@
+"""Proofs about bearing sensors that agree by sign-based dynamic average consensus."""

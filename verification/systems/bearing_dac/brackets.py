@@ -1,0 +1,80 @@
+"""From a bracket of a constant to the answer that a user gets."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from verification.answers import Answer
+from verification.certificates.make import CertificateError, certificate
+from verification.exact.cuts import CutBracket
+from verification.exact.rationals import above, below, nearest
+
+SYSTEM = "bearing_dac"
+USABLE = Fraction(1, 10**6)
+"""Relative width of a certified bracket above which it gives no value."""
+
+TOO_LONG = (
+    "found by a search of all cuts that is longer than the certificate checker's budget: "
+    "computed, not certified"
+)
+OPEN = "the bounds that could be proved are too far apart for a value"
+NO_WITNESS = "no bound from the other side could be proved for a network of this size"
+
+
+def answer(
+    name: str,
+    inputs: Mapping[str, Any],
+    found: CutBracket,
+    ends: tuple[Fraction | None, Fraction | None],
+    value: float | None,
+    exact: dict[str, Any] | None,
+    notes: Sequence[str] = (),
+    printed: float | None = None,
+) -> Answer:
+    """Answer with as much as could be shown.
+
+    Parameters
+    ----------
+    name : str
+        The quantity, which is also the statement's name.
+    inputs : mapping
+        The certificate's data.
+    found : CutBracket
+        Witnesses; those for the lower end of a ``margin_rate_squared`` come from `clear`.
+    ends : tuple of Fraction or None
+        Lower and upper end that the certificate states.
+    value : float or None
+        The constant, where it is known.
+    exact : dict or None
+        The same as the ``exact`` field.
+    notes : sequence of str, optional
+    printed : float, optional
+
+    Returns
+    -------
+    Answer
+    """
+    lower, upper = ends
+    document, reasons = None, list(notes)
+    if found.clear is not None and lower is not None and upper is not None:
+        try:
+            witness = [found.clear, found.reaches]
+            document = certificate(SYSTEM, name, inputs, witness, lower=lower, upper=upper)
+        except CertificateError as error:
+            reasons.append(f"no certificate: {error}")
+    low = None if lower is None else below(lower)
+    high = None if upper is None else above(upper)
+    narrow = lower is not None and upper is not None and upper - lower <= USABLE * upper
+    if document is not None and lower is not None and upper is not None and narrow:
+        middle = nearest((lower + upper) / 2)
+        shown = middle if value is None else value
+        verdict = "PROVED"
+    elif value is not None:
+        shown, low, high, verdict = value, None, None, "SUPPORTED"
+        reasons.append(TOO_LONG)
+    else:
+        shown, exact, verdict = None, None, "UNDECIDED"
+        reasons.append(NO_WITNESS if found.clear is None else OPEN)
+    return Answer(shown, exact, low, high, printed, verdict, document, None, tuple(reasons))

@@ -1,0 +1,84 @@
+"""What questions about consensus on a network are asked with, checked before any arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from sensortrack.errors import InputError
+from sensortrack.networks import Network
+from verification.exact.cut_components import even, flat
+
+Numbers = tuple[Fraction, ...]
+
+
+def network_of(values: Mapping[str, Any]) -> Network:
+    """The network, after checking that it has an edge.
+
+    Raises
+    ------
+    InputError
+        It has none.
+    """
+    network: Network = values["graph"]
+    if network.m == 0:
+        raise InputError("graph", "no edge", "an edge between some of the nodes is needed")
+    return network
+
+
+def bounds_of(values: Mapping[str, Any]) -> Numbers:
+    """gamma at each node, after checking that it is not negative.
+
+    Raises
+    ------
+    InputError
+        A bound is negative.
+    """
+    gamma: Numbers = values["gamma"]
+    low = min(gamma)
+    if low < 0:
+        node = values["graph"].names[gamma.index(low)]
+        where = "" if even(gamma) else f" at node {node}"
+        raise InputError("gamma", f"{low}{where}", "bounds of at least 0 are needed")
+    return gamma
+
+
+def gain_of(values: Mapping[str, Any]) -> Fraction:
+    """beta, after checking that it is positive.
+
+    Raises
+    ------
+    InputError
+        beta is zero or negative.
+    """
+    beta: Fraction = values["beta"]
+    if beta <= 0:
+        raise InputError("beta", f"{beta}", "a gain above 0 is needed")
+    return beta
+
+
+def graph_data(network: Network, product: bool = False) -> dict[str, Any]:
+    """The certificate's graph: given by its factors only where the witness is about them."""
+    return network.to_data() if product else flat(network).to_data()
+
+
+def node_data(values: Numbers) -> Fraction | list[Fraction]:
+    """The certificate's numbers at the nodes: one number where all are the same."""
+    return values[0] if even(values) else list(values)
+
+
+def pieces(network: Network) -> list[list[int]]:
+    """Components of two nodes or more: the others always agree with themselves."""
+    return [nodes for nodes in network.components() if len(nodes) > 1]
+
+
+def component_notes(network: Network, counts: str) -> tuple[str, ...]:
+    """A note for a network that is not connected."""
+    count = len(network.components())
+    return () if count == 1 else (f"{count} components, each on its own: {counts}",)
+
+
+def squared_norm(x: Sequence[Fraction]) -> Fraction:
+    """|x|^2."""
+    return sum((v * v for v in x), Fraction(0))

@@ -1,0 +1,244 @@
+"""How fast sign-based consensus agrees: rates, times, and the connectivity that the paper uses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from sensortrack.networks import Network
+from verification.answers import Answer
+from verification.certificates.make import CertificateError, certificate
+from verification.exact.cut_components import spread
+from verification.exact.cuts import CutBracket, margin, slowest
+from verification.exact.rationals import nearest
+from verification.exact.roots import Algebraic, root_between
+from verification.exact.spectral_gap import (
+    Gap,
+    NoBracketError,
+    connectivity_bracket,
+    connectivity_value,
+    exact_connectivity,
+)
+
+from .brackets import SYSTEM, answer
+from .gains import NO_LAMBDA, reaches_printed_gain
+from .network_inputs import (
+    Numbers,
+    bounds_of,
+    component_notes,
+    gain_of,
+    graph_data,
+    network_of,
+    node_data,
+    pieces,
+    squared_norm,
+)
+
+LONGEST = "the largest time counts"
+
+
+def margin_rate_squared(values: Mapping[str, Any]) -> Answer:
+    """c^2: above the threshold beta*, |x| falls at least at the rate (beta - beta*) c.
+
+    Parameters
+    ----------
+    values : mapping
+        ``graph``: Network.
+
+    Returns
+    -------
+    Answer
+        With a certificate where one is short enough.
+
+    Raises
+    ------
+    InputError
+        The network has no edge.
+    """
+    network = network_of(values)
+    found = margin(network)
+    exact = None if found.value is None else {"kind": "rational", "value": str(found.value)}
+    return answer(
+        "margin_rate_squared",
+        {"graph": graph_data(network)},
+        found,
+        (found.lower, found.upper),
+        None if found.value is None else nearest(found.value),
+        exact,
+        component_notes(network, "the smallest value counts"),
+    )
+
+
+def algebraic_connectivity(values: Mapping[str, Any]) -> Answer:
+    """lambda_2, the second smallest eigenvalue of the Laplacian.
+
+    Parameters, errors are those of `margin_rate_squared`.
+
+    Returns
+    -------
+    Answer
+        With a certificate up to 200 nodes, else SUPPORTED.
+    """
+    network = network_of(values)
+    try:
+        gap = connectivity_bracket(network)
+    except NoBracketError as error:
+        value = connectivity_value(network)
+        if value is None:
+            return Answer(verdict="UNDECIDED", notes=(NO_LAMBDA,))
+        return Answer(value=value, notes=(f"{error}: computed, its residual checked",))
+    exact = exact_connectivity(network, gap)
+    value = exact.nearest if exact else nearest((gap.lower + gap.upper) / 2)
+    data = exact.to_data() if exact else None
+    if not gap.vector:
+        note = "the smallest lambda_2 of a factor: computed, not certified for the product"
+        return Answer(value=value, exact=data, notes=(note,))
+    try:
+        document = _connectivity_certificate(network, gap)
+    except CertificateError as error:
+        return Answer(value=value, exact=data, notes=(f"no certificate: {error}",))
+    ends = nearest(gap.lower), nearest(gap.upper)
+    notes = ("not connected",) if gap.upper == 0 else ()
+    return Answer(value, data, *ends, None, "PROVED", document, None, notes)
+
+
+def _connectivity_certificate(network: Network, gap: Gap) -> dict[str, Any]:
+    inputs = {"graph": graph_data(network)}
+    witness = [{"kind": "vector", "x": list(gap.vector)}]
+    name = "algebraic_connectivity"
+    if gap.upper == 0:
+        return certificate(SYSTEM, name, inputs, witness, "PROVED 0", lower="0", upper="0")
+    return certificate(SYSTEM, name, inputs, witness, lower=gap.lower, upper=gap.upper)
+
+
+def settling_time(values: Mapping[str, Any]) -> Answer:
+    """|x0| over the smallest rate (beta k - N)/sqrt(p) of a cut; infinite at small gains.
+
+    Parameters
+    ----------
+    values : mapping
+        ``graph``: Network; ``gamma``: tuple of Fraction, one a node; ``beta``: a positive
+        rational; ``x0``: tuple of Fraction, one a node, projected to mean zero.
+
+    Returns
+    -------
+    Answer
+        With a certificate where one is short enough, beside the printed time if the gain is at
+        least the printed one.
+
+    Raises
+    ------
+    InputError
+        The network has no edge, a bound is negative, or beta <= 0.
+
+    References
+    ----------
+    George, Theorem 1.
+    """
+    network, gamma, beta = network_of(values), bounds_of(values), gain_of(values)
+    x0: Numbers = values["x0"]
+    found = slowest(network, gamma, beta, x0)
+    inputs = {
+        "graph": graph_data(network),
+        "gamma": node_data(gamma),
+        "beta": beta,
+        "x0": list(x0),
+    }
+    notes = component_notes(network, LONGEST)
+    if found.infinite:
+        return _never(inputs, found, notes)
+    printed = None
+    if reaches_printed_gain(network, gamma, beta):
+        printed = printed_time(network, [spread([x0[i] for i in n]) for n in pieces(network)])
+    ends = _root(found.lower, down=True), _root(found.upper, down=False)
+    exact = _exact_root(found.value)
+    return answer(
+        "settling_time",
+        inputs,
+        found,
+        ends,
+        exact.nearest if exact else None,
+        exact.to_data() if exact else None,
+        notes,
+        printed,
+    )
+
+
+def _never(inputs: dict[str, Any], found: CutBracket, notes: tuple[str, ...]) -> Answer:
+    """At or below the threshold a disturbance keeps a cut open for ever."""
+    document = certificate(
+        SYSTEM, "settling_time", inputs, [found.reaches], "INFINITE", lower="inf", upper="inf"
+    )
+    reason = "beta is at most the threshold: a disturbance keeps the sides of a cut apart"
+    return Answer(
+        math.inf, None, math.inf, math.inf, None, "PROVED", document, None, (*notes, reason)
+    )
+
+
+def _root(square: Fraction | None, down: bool) -> Fraction | None:
+    """A double next to the square root, on the side that is asked for."""
+    if square is None:
+        return None
+    shift = 2 ** max(0, 128 - square.numerator.bit_length() + square.denominator.bit_length())
+    guess = nearest(Fraction(math.isqrt(square.numerator * shift**2 // square.denominator), shift))
+    if down:
+        while Fraction(guess) ** 2 > square:
+            guess = math.nextafter(guess, 0.0)
+    else:
+        while Fraction(guess) ** 2 < square:
+            guess = math.nextafter(guess, math.inf)
+    return Fraction(guess)
+
+
+def _exact_root(square: Fraction | None) -> Algebraic | None:
+    """The square root as an algebraic number."""
+    if square is None:
+        return None
+    if square == 0:
+        return Algebraic((0, 1), Fraction(0), Fraction(0), 0.0)
+    low, high = (_root(square, down) or Fraction(0) for down in (True, False))
+    polynomial = (-square.numerator, 0, square.denominator)
+    return root_between(polynomial, low * Fraction(999, 1000), high * Fraction(1001, 1000))
+
+
+def printed_settling_time(values: Mapping[str, Any]) -> Answer:
+    """The printed time |x0|/lambda_2.
+
+    Parameters
+    ----------
+    values : mapping
+        ``graph``: Network; ``x0``: tuple of Fraction, one a node.
+
+    Returns
+    -------
+    Answer
+        SUPPORTED: computed in floating point.
+
+    Raises
+    ------
+    InputError
+        The network has no edge.
+    """
+    network = network_of(values)
+    x0: Numbers = values["x0"]
+    parts = [[x0[i] for i in nodes] for nodes in pieces(network)]
+    notes = [*component_notes(network, LONGEST)]
+    if any(sum(part) for part in parts):
+        notes.append("x0 does not have the mean zero of an error: its norm is taken as given")
+    value = printed_time(network, [squared_norm(part) for part in parts])
+    if value is None:
+        return Answer(verdict="UNDECIDED", notes=(*notes, NO_LAMBDA))
+    return Answer(value=value, notes=tuple(notes))
+
+
+def printed_time(network: Network, squares: Sequence[Fraction]) -> float | None:
+    """|x0|/lambda_2, the largest over the components of two nodes or more, whose |x0|^2 are given."""
+    times = []
+    for nodes, square in zip(pieces(network), squares, strict=True):
+        lam = connectivity_value(network.subnetwork(nodes))
+        if not lam:
+            return None
+        times.append(nearest(_root(square, down=True) or Fraction(0)) / lam)
+    return max(times)
