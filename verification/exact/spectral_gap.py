@@ -27,6 +27,12 @@ from .roots import Algebraic, root_between
 LARGEST = 200
 """Most nodes of a network whose bounds are proved: the cost grows with their cube."""
 
+SPARSE = 1_000_000
+"""Most nodes and edges of a network whose lambda_2 is computed at all, unless it is a product."""
+
+RESIDUAL = 1e-6
+"""Largest residual of an eigenvector relative to lambda_2; the value's error is its square."""
+
 EXACT = 60
 """Most nodes of a network whose characteristic polynomial is factored."""
 
@@ -133,16 +139,36 @@ def exact_connectivity(network: Network, gap: Gap) -> Algebraic | None:
     return root_between([c // common for c in scaled], gap.lower, gap.upper)
 
 
-def connectivity_estimate(network: Network) -> float | None:
-    """lambda_2 of a large connected network in floating point.
+def connectivity_value(network: Network) -> float | None:
+    """lambda_2 in floating point, to nearly full accuracy up to `LARGEST` nodes, without a proof.
+
+    Parameters
+    ----------
+    network : Network
+        Two nodes or more.
 
     Returns
     -------
     float or None
-        None if the residual of the eigenvector is not small, or the computation fails.
+        None if the residual of a large network's eigenvector is not small.
     """
+    if network.factors:
+        values = [connectivity_value(factor) for factor in network.factors]
+        known = [value for value in values if value is not None]
+        return min(known) if len(known) == len(values) else None
+    if not network.is_connected():
+        return 0.0
+    if network.n <= LARGEST:
+        return nearest(rayleigh(network, _slow_vector(network)))
+    return _estimate(network)
+
+
+def _estimate(network: Network) -> float | None:
+    """lambda_2 by inverse iteration on the sparse Laplacian."""
     from scipy.sparse.linalg import eigsh
 
+    if network.n + network.m > SPARSE:
+        return None
     laplacian = network.laplacian().tocsc()
     start = np.random.default_rng(0).standard_normal(network.n)
     shift = -1e-6 * float(laplacian.diagonal().mean())
@@ -150,11 +176,12 @@ def connectivity_estimate(network: Network) -> float | None:
         values, vectors = eigsh(laplacian, k=2, sigma=shift, which="LM", v0=start)
     except (RuntimeError, MemoryError):
         return None
-    place = int(np.argmax(values))
-    x = vectors[:, place] - vectors[:, place].mean()
-    value = float(x @ (laplacian @ x) / (x @ x))
-    residual = float(np.linalg.norm(laplacian @ x - value * x) / np.linalg.norm(x))
-    return value if residual <= 1e-6 * value else None
+    x = vectors[:, int(np.argmax(values))]
+    x = x - x.mean()
+    image = laplacian @ x
+    value = float(x @ image / (x @ x))
+    residual = float(np.linalg.norm(image - value * x) / np.linalg.norm(x))
+    return value if residual <= RESIDUAL * value else None
 
 
 def laplacian_rows(network: Network) -> list[list[Fraction]]:

@@ -234,7 +234,7 @@ def printed_settling_time(values: Mapping[str, Any]) -> Answer:
 
 
 def printed_time(network: Network, squares: Sequence[Fraction]) -> float | None:
-    """|x0|/lambda_2, the largest over the components of two nodes or more, whose |x0|^2 are given."""
+    """|x0|/lambda_2, the largest over the components; their |x0|^2 are given."""
     times = []
     for nodes, square in zip(pieces(network), squares, strict=True):
         lam = connectivity_value(network.subnetwork(nodes))
