@@ -1,0 +1,1 @@
+"""Runtime of SensorTrack: networks, data, kernels and errors; numpy and scipy are all it needs."""

@@ -26,7 +26,7 @@ struct search {
     int64_t total;         /* sum of gamma */
     int32_t mode;
     int64_t limit;         /* nodes that may be visited */
-    int64_t test[4];       /* b, c, q, d */
+    int64_t hurdle[4];     /* b, c, q, d */
     int64_t visits;
     double covered;        /* share of the search that is behind us, halved at each decision */
     uint8_t *side;
@@ -37,12 +37,12 @@ struct search {
 
 static int is_clear(const struct search *t, int64_t k, int64_t load, int32_t s)
 {
-    wide d = (wide)t->test[0] * k - (wide)t->test[1] * load;
+    wide d = (wide)t->hurdle[0] * k - (wide)t->hurdle[1] * load;
     if (d < 0)
         return 0;
-    if (t->test[3] == 0)
+    if (t->hurdle[3] == 0)
         return 1;
-    return d * d * t->test[2] >= (wide)t->test[3] * t->test[3] * ((wide)s * (t->n - s));
+    return d * d * t->hurdle[2] >= (wide)t->hurdle[3] * t->hurdle[3] * ((wide)s * (t->n - s));
 }
 
 static int64_t common(int64_t a, int64_t b)
@@ -64,16 +64,16 @@ static int keep(struct search *t, int64_t k, int64_t load, int32_t s)
     t->found = 1;
     if (t->mode == RAISE_RATIO) {
         int64_t g = common(load, k);
-        t->test[0] = load / g;
-        t->test[1] = k / g;
+        t->hurdle[0] = load / g;
+        t->hurdle[1] = k / g;
         return DONE;
     }
     if (t->mode == LOWER_RATE) {
-        wide d = (wide)t->test[0] * k - (wide)t->test[1] * load;
+        wide d = (wide)t->hurdle[0] * k - (wide)t->hurdle[1] * load;
         if (d <= 0)
             return FAILED;
-        t->test[2] = (int64_t)s * (t->n - s);
-        t->test[3] = (int64_t)d;
+        t->hurdle[2] = (int64_t)s * (t->n - s);
+        t->hurdle[3] = (int64_t)d;
         return DONE;
     }
     return FAILED;

@@ -10,7 +10,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from sensortrack.networks import Network
 
-from .cut_problem import Aim, Problem, Test, problem
+from .cut_problem import Aim, Problem, Hurdle, problem
 from .cut_roads import Budget, Solved, solve
 
 Item = dict[str, Any]
@@ -88,7 +88,7 @@ def components(network: Network, gamma: Sequence[Fraction]) -> list[Component]:
 
 
 def solved(
-    parts: Sequence[Component], starts: Sequence[Test], aim: Aim, budget: Budget
+    parts: Sequence[Component], starts: Sequence[Hurdle], aim: Aim, budget: Budget
 ) -> list[Solved]:
     """Solve each component; the visits of all witnesses together stay within the budget."""
     found = []

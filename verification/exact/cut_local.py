@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .cut_orders import laplacian_modes
-from .cut_problem import Aim, Problem, Test
+from .cut_problem import Aim, Problem, Hurdle
 
 MODES = 4
 PASSES = 12
@@ -32,7 +32,7 @@ Cut = tuple[int, ...]
 class Scale:
     """A problem in doubles, and how bad a cut is: the larger, the nearer to the answer."""
 
-    def __init__(self, task: Problem, test: Test, aim: Aim) -> None:
+    def __init__(self, task: Problem, hurdle: Hurdle, aim: Aim) -> None:
         from scipy.sparse import coo_matrix
 
         unit, top = max(task.weights), max(task.gamma) or 1
@@ -44,8 +44,8 @@ class Scale:
         both = np.r_[self.weights, self.weights]
         self.links = coo_matrix((both, ends), shape=(self.n, self.n)).tocsr()
         self.degrees = np.bincount(ends[0], both, self.n)
-        size = max(abs(test.b * unit), abs(test.c * top), 1)
-        self.b, self.c = test.b * unit / size, test.c * top / size
+        size = max(abs(hurdle.b * unit), abs(hurdle.c * top), 1)
+        self.b, self.c = hurdle.b * unit / size, hurdle.c * top / size
 
     def badness(self, k: Floats, inside: Floats, s: Floats) -> Floats:
         """load/k, or s (n - s) over the square of b k - c load."""
@@ -107,14 +107,14 @@ class Scale:
         return keep if best > top * (1 + 1e-12) else None
 
 
-def good_cut(task: Problem, test: Test, aim: Aim) -> Cut:
+def good_cut(task: Problem, hurdle: Hurdle, aim: Aim) -> Cut:
     """A cut that is hard to beat.
 
     Parameters
     ----------
     task : Problem
         Two nodes or more.
-    test : Test
+    hurdle : Hurdle
         Its b and c, for ``Aim.RATE``.
     aim : Aim
         ``RATIO`` or ``RATE``.
@@ -124,11 +124,11 @@ def good_cut(task: Problem, test: Test, aim: Aim) -> Cut:
     tuple of int
         Nodes of one side, increasing.
     """
-    scale = Scale(task, test, aim)
-    return _best(task, test, scale, list(_starts(task, scale)))
+    scale = Scale(task, hurdle, aim)
+    return _best(task, hurdle, scale, list(_starts(task, scale)))
 
 
-def congested_cut(task: Problem, test: Test, shares: Floats) -> Cut:
+def congested_cut(task: Problem, hurdle: Hurdle, shares: Floats) -> Cut:
     """A cut of large load/k where a good routing has little room left.
 
     Sets of nodes that are near to a node, congested edges counting as long, are what the rounding
@@ -137,7 +137,7 @@ def congested_cut(task: Problem, test: Test, shares: Floats) -> Cut:
     Parameters
     ----------
     task : Problem
-    test : Test
+    hurdle : Hurdle
     shares : ndarray, shape (m,)
         Load of each edge over its weight, in any unit.
 
@@ -149,17 +149,17 @@ def congested_cut(task: Problem, test: Test, shares: Floats) -> Cut:
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import dijkstra
 
-    scale = Scale(task, test, Aim.RATIO)
+    scale = Scale(task, hurdle, Aim.RATIO)
     lengths = (shares / shares.max()) ** CONGESTION + 1e-4
     graph = csr_matrix((lengths, (scale.first, scale.second)), shape=(task.n, task.n))
-    return _best(task, test, scale, [scale.sweep(row) for row in dijkstra(graph, directed=False)])
+    return _best(task, hurdle, scale, [scale.sweep(row) for row in dijkstra(graph, directed=False)])
 
 
-def _best(task: Problem, test: Test, scale: Scale, cuts: list[Flags]) -> Cut:
+def _best(task: Problem, hurdle: Hurdle, scale: Scale, cuts: list[Flags]) -> Cut:
     """The worst of some cuts after improving the worst of them."""
 
     def rank(cut: Cut) -> tuple[float, int]:
-        return _rank(task, test, scale.aim, cut)
+        return _rank(task, hurdle, scale.aim, cut)
 
     distinct = {flags.tobytes(): flags for flags in cuts}.values()
     chosen = sorted(distinct, key=lambda flags: rank(_nodes(flags)))[-IMPROVED:]
@@ -172,11 +172,11 @@ def _nodes(flags: Flags) -> Cut:
     return tuple(int(i) for i in np.flatnonzero(flags))
 
 
-def _rank(task: Problem, test: Test, aim: Aim, cut: Cut) -> tuple[float, int]:
+def _rank(task: Problem, hurdle: Hurdle, aim: Aim, cut: Cut) -> tuple[float, int]:
     """How bad, exactly but for one rounding at the end; smaller sides win ties."""
     k, load, s = task.measure(cut)
     if aim is Aim.RATE:
-        gap = test.b * k - test.c * load
+        gap = hurdle.b * k - hurdle.c * load
         value = s * (task.n - s) / gap**2 if gap > 0 else float("inf")
     else:
         value = load / k

@@ -49,7 +49,7 @@ class Aim(IntEnum):
 
 
 @dataclass(frozen=True)
-class Test:
+class Hurdle:
     """A cut is clear if D = b k - c load >= 0 and D^2 q >= d^2 s (n - s)."""
 
     b: int
@@ -62,13 +62,13 @@ class Test:
         gap = self.b * k - self.c * load
         return gap >= 0 and gap * gap * self.q >= self.d * self.d * s * (n - s)
 
-    def marked(self, aim: Aim, n: int, k: int, load: int, s: int) -> Test | None:
-        """The test that this cut passes with equality; None if no rate above 0 does."""
+    def marked(self, aim: Aim, n: int, k: int, load: int, s: int) -> Hurdle | None:
+        """The hurdle that this cut passes with equality; None if no rate above 0 does."""
         if aim is Aim.RATIO:
             common = math.gcd(load, k)
-            return Test(load // common, k // common)
+            return Hurdle(load // common, k // common)
         gap = self.b * k - self.c * load
-        return Test(self.b, self.c, s * (n - s), gap) if gap > 0 else None
+        return Hurdle(self.b, self.c, s * (n - s), gap) if gap > 0 else None
 
 
 @dataclass(frozen=True)
@@ -149,25 +149,25 @@ class Problem:
         s = int(inside.sum())
         return k, self.load(s, sum(self.gamma[i] for i in cut)), s
 
-    def gain_test(self, b: Fraction) -> Test:
-        """The test b k >= N."""
+    def gain_hurdle(self, b: Fraction) -> Hurdle:
+        """The hurdle b k >= N."""
         left, right = b.numerator * self.n * self.gamma_unit, b.denominator * self.weight_unit
         common = math.gcd(left, right)
-        return Test(left // common, right // common)
+        return Hurdle(left // common, right // common)
 
-    def ratio(self, test: Test) -> Fraction:
-        """The gain b of a test b k >= N."""
-        return Fraction(test.b * self.weight_unit, test.c * self.n * self.gamma_unit)
+    def ratio(self, hurdle: Hurdle) -> Fraction:
+        """The gain b of a hurdle b k >= N."""
+        return Fraction(hurdle.b * self.weight_unit, hurdle.c * self.n * self.gamma_unit)
 
-    def margin_squared(self, test: Test) -> Fraction:
-        """The bound on k^2/p of a test of the weights alone (b = 1, c = 0)."""
-        return Fraction(test.d**2 * self.n, test.q * self.weight_unit**2)
+    def margin_squared(self, hurdle: Hurdle) -> Fraction:
+        """The bound on k^2/p of a hurdle of the weights alone (b = 1, c = 0)."""
+        return Fraction(hurdle.d**2 * self.n, hurdle.q * self.weight_unit**2)
 
-    def rate_squared(self, test: Test) -> Fraction:
-        """The bound on (beta k - N)^2/p of a test whose b and c come from `gain_test(beta)`."""
-        # D is (beta k - N) times beta's denominator, both units and n, divided by what `gain_test`
+    def rate_squared(self, hurdle: Hurdle) -> Fraction:
+        """The bound on (beta k - N)^2/p of a hurdle whose b and c come from `gain_hurdle(beta)`."""
+        # D is (beta k - N) times beta's denominator, both units and n, divided by what `gain_hurdle`
         # divided by; what is left of all this is c, n and the unit of gamma
-        return Fraction(test.d**2 * self.n, test.q * (test.c * self.n * self.gamma_unit) ** 2)
+        return Fraction(hurdle.d**2 * self.n, hurdle.q * (hurdle.c * self.n * self.gamma_unit) ** 2)
 
 
 def problem(network: Network, gamma: Sequence[Fraction]) -> Problem:

@@ -1,7 +1,7 @@
 """Ways to the worst cut of one connected network, and to a witness that no cut is worse.
 
 On a tree single edges decide. Else all cuts are searched, if few enough stay open; for the gain
-threshold, disturbances are routed. A witness for one test is a witness for every weaker test: a
+threshold, disturbances are routed. A witness for one hurdle is a witness for every weaker hurdle: a
 search then ends its branches no later, and what a routing leaves open shrinks.
 """
 
@@ -13,7 +13,7 @@ from typing import Any
 
 from .cut_local import congested_cut, good_cut
 from .cut_orders import orders
-from .cut_problem import Aim, Problem, Test
+from .cut_problem import Aim, Problem, Hurdle
 from .cut_search import LARGEST, Found, Walk
 from .routing import Routing, better_routing, closes, first_routing
 
@@ -30,7 +30,7 @@ LONG_NODES = 40
 """Up to this size a search may be far longer than the checker's, for the value alone."""
 
 LOOSER = tuple(Fraction(k, 1000) for k in (1003, 1010, 1030, 1100, 1300, 2000, 4000, 16000))
-"""Factors by which a test is weakened where it cannot be shown."""
+"""Factors by which a hurdle is weakened where it cannot be shown."""
 
 
 @dataclass(frozen=True)
@@ -54,9 +54,9 @@ class Budget:
 
 @dataclass(frozen=True)
 class Shown:
-    """A test that all cuts pass, the witness, and how many nodes of a search tree it costs."""
+    """A hurdle that all cuts pass, the witness, and how many nodes of a search tree it costs."""
 
-    test: Test
+    hurdle: Hurdle
     part: Part
     visits: int = 0
 
@@ -68,34 +68,34 @@ class Solved:
     Parameters
     ----------
     cut : tuple of int
-    test : Test or None
+    hurdle : Hurdle or None
         What this cut just passes; None if it leaves no rate above 0.
     shown : Shown or None
-        The strongest test with a witness: closed if it is `test`.
+        The strongest hurdle with a witness: closed if it is `hurdle`.
     complete : bool
         Whether a search of all cuts found no worse one, witness or not.
     """
 
     cut: Cut
-    test: Test | None
+    hurdle: Hurdle | None
     shown: Shown | None = None
     complete: bool = False
 
     @property
     def closed(self) -> bool:
         """Whether the cut is proved to be the worst."""
-        return self.shown is not None and self.shown.test == self.test
+        return self.shown is not None and self.shown.hurdle == self.hurdle
 
 
-def solve(task: Problem, start: Test, aim: Aim, budget: Budget) -> Solved:
+def solve(task: Problem, start: Hurdle, aim: Aim, budget: Budget) -> Solved:
     """Find the worst cut of a connected network and show that it is.
 
     Parameters
     ----------
     task : Problem
         Two nodes or more.
-    start : Test
-        Carries b and c for ``Aim.RATE``; for ``Aim.RATIO`` a test that no load passes.
+    start : Hurdle
+        Carries b and c for ``Aim.RATE``; for ``Aim.RATIO`` a hurdle that no load passes.
     aim : Aim
         ``RATIO`` or ``RATE``.
     budget : Budget
@@ -111,11 +111,11 @@ def solve(task: Problem, start: Test, aim: Aim, budget: Budget) -> Solved:
         shown = Shown(start, part, 2) if task.n <= LARGEST else None
         return Solved((0,), start, shown, True)
     solved = _with(task, start, aim, Solved((), start), good_cut(task, start, aim))
-    if solved.test is None:
+    if solved.hurdle is None:
         return solved
     for limit, count in zip(LIMITS, (None, LATE_ORDERS), strict=True):
         solved = _searched(task, solved, aim, min(limit, budget.visits), count)
-        if solved.test is None or solved.closed:
+        if solved.hurdle is None or solved.closed:
             return solved
         if aim is Aim.RATIO and limit == LIMITS[0]:
             solved = _routed(task, start, solved, budget)
@@ -125,8 +125,8 @@ def solve(task: Problem, start: Test, aim: Aim, budget: Budget) -> Solved:
     return _loosened(task, solved, aim, min(LIMITS[0] * 4, budget.visits))
 
 
-def refute_or_show(task: Problem, test: Test, budget: Budget) -> Cut | Shown | None:
-    """Decide one test b k >= N of the weights and loads, if the budget allows.
+def refute_or_show(task: Problem, hurdle: Hurdle, budget: Budget) -> Cut | Shown | None:
+    """Decide one hurdle b k >= N of the weights and loads, if the budget allows.
 
     Returns
     -------
@@ -134,29 +134,29 @@ def refute_or_show(task: Problem, test: Test, budget: Budget) -> Cut | Shown | N
         A cut that does not pass, or the witness that all cuts do, or None.
     """
     if len(task.edges) == task.n - 1:
-        solved = _tree(task, Test(0, 1), Aim.RATIO)
-        passes = test.clears(task.n, *task.measure(solved.cut))
-        return Shown(test, {"kind": "tree"}) if passes else solved.cut
+        solved = _tree(task, Hurdle(0, 1), Aim.RATIO)
+        passes = hurdle.clears(task.n, *task.measure(solved.cut))
+        return Shown(hurdle, {"kind": "tree"}) if passes else solved.cut
     if task.n > LARGEST:
         return None
     for order in list(orders(task))[:LATE_ORDERS]:
-        found = Walk(task, order).search(test, Aim.FAILURE, budget.visits)
+        found = Walk(task, order).search(hurdle, Aim.FAILURE, budget.visits)
         if found.done:
             part = {"kind": "enumeration", "order": list(order)}
-            return found.cut or Shown(test, part, found.visits)
+            return found.cut or Shown(hurdle, part, found.visits)
     return None
 
 
-def _with(task: Problem, start: Test, aim: Aim, solved: Solved, cut: Cut) -> Solved:
+def _with(task: Problem, start: Hurdle, aim: Aim, solved: Solved, cut: Cut) -> Solved:
     """Keep a cut if it is worse than what was found."""
     k, load, s = task.measure(cut)
-    better = solved.test is not None and not solved.test.clears(task.n, k, load, s)
+    better = solved.hurdle is not None and not solved.hurdle.clears(task.n, k, load, s)
     if solved.cut and not better:
         return solved
-    return replace(solved, cut=cut, test=start.marked(aim, task.n, k, load, s))
+    return replace(solved, cut=cut, hurdle=start.marked(aim, task.n, k, load, s))
 
 
-def _tree(task: Problem, start: Test, aim: Aim) -> Solved:
+def _tree(task: Problem, start: Hurdle, aim: Aim) -> Solved:
     """The worst single edge."""
     import numpy as np
     from scipy.sparse import csr_matrix
@@ -170,18 +170,18 @@ def _tree(task: Problem, start: Test, aim: Aim) -> Solved:
     for (i, j), weight in zip(ends.tolist(), task.weights, strict=True):
         weight_up[i if parents[i] == j else j] = weight
     below, inside = [1] * n, list(task.gamma)
-    worst, test = -1, start
+    worst, hurdle = -1, start
     for node in order[:0:-1].tolist():
         k, load = weight_up[node], task.load(below[node], inside[node])
-        if worst < 0 or not test.clears(n, k, load, below[node]):
+        if worst < 0 or not hurdle.clears(n, k, load, below[node]):
             marked = start.marked(aim, n, k, load, below[node])
             if marked is None:
                 return Solved(_below(parents.tolist(), order.tolist(), node), None)
-            worst, test = node, marked
+            worst, hurdle = node, marked
         up = int(parents[node])
         below[up], inside[up] = below[up] + below[node], inside[up] + inside[node]
     cut = _below(parents.tolist(), order.tolist(), worst)
-    return Solved(cut, test, Shown(test, {"kind": "tree"}), True)
+    return Solved(cut, hurdle, Shown(hurdle, {"kind": "tree"}), True)
 
 
 def _below(parents: list[int], order: list[int], top: int) -> Cut:
@@ -199,10 +199,10 @@ def _searched(task: Problem, solved: Solved, aim: Aim, limit: int, count: int | 
         return solved
     walks = [Walk(task, order) for order in list(orders(task))[:count]]
     for walk in walks:
-        assert solved.test is not None
-        found = walk.search(solved.test, aim, limit)
+        assert solved.hurdle is not None
+        found = walk.search(solved.hurdle, aim, limit)
         solved = _improved(task, solved, aim, found)
-        if solved.test is None:
+        if solved.hurdle is None:
             return replace(solved, complete=True)
         if found.done:
             return _shortest(solved, walks, limit)
@@ -211,25 +211,25 @@ def _searched(task: Problem, solved: Solved, aim: Aim, limit: int, count: int | 
 
 def _improved(task: Problem, solved: Solved, aim: Aim, found: Found) -> Solved:
     """Keep the cut of a search for ratio or rate: it is worse than the one before."""
-    if found.cut is None or solved.test is None:
+    if found.cut is None or solved.hurdle is None:
         return solved
-    test = solved.test.marked(aim, task.n, *task.measure(found.cut))
-    return replace(solved, cut=found.cut, test=test, shown=None)
+    hurdle = solved.hurdle.marked(aim, task.n, *task.measure(found.cut))
+    return replace(solved, cut=found.cut, hurdle=hurdle, shown=None)
 
 
 def _shortest(solved: Solved, walks: list[Walk], limit: int) -> Solved:
-    """Witness in the order with the fewest visits at the final test."""
-    test = solved.test
-    assert test is not None
+    """Witness in the order with the fewest visits at the final hurdle."""
+    hurdle = solved.hurdle
+    assert hurdle is not None
     best: Shown | None = None
     for walk in walks:
-        found = walk.search(test, Aim.FAILURE, best.visits - 1 if best else limit)
+        found = walk.search(hurdle, Aim.FAILURE, best.visits - 1 if best else limit)
         if found.done:
-            best = Shown(test, {"kind": "enumeration", "order": list(walk.order)}, found.visits)
+            best = Shown(hurdle, {"kind": "enumeration", "order": list(walk.order)}, found.visits)
     return replace(solved, shown=best, complete=True)
 
 
-def _routed(task: Problem, start: Test, solved: Solved, budget: Budget) -> Solved:
+def _routed(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solved:
     """Route disturbances; where that leaves room, look for a worse cut where they pile up."""
     if task.n * len(task.edges) > budget.flows:
         return solved
@@ -237,51 +237,51 @@ def _routed(task: Problem, start: Test, solved: Solved, budget: Budget) -> Solve
         routing = first_routing(task)
     except (ArithmeticError, ValueError):  # hopelessly unlike weights: numpy gives up
         return solved
-    assert solved.test is not None
-    if not closes(task, solved.test, routing.up):
+    assert solved.hurdle is not None
+    if not closes(task, solved.hurdle, routing.up):
         cut = congested_cut(task, start, routing.shares)
         solved = _with(task, start, Aim.RATIO, solved, cut)
-        assert solved.test is not None
-        routing = better_routing(task, routing, solved.test)
+        assert solved.hurdle is not None
+        routing = better_routing(task, routing, solved.hurdle)
     return _with_routing(task, solved, routing)
 
 
 def _with_routing(task: Problem, solved: Solved, routing: Routing) -> Solved:
-    assert solved.test is not None
-    if closes(task, solved.test, routing.up):
-        return replace(solved, shown=Shown(solved.test, routing.part()), complete=True)
-    return replace(solved, shown=Shown(task.gain_test(routing.up), routing.part()))
+    assert solved.hurdle is not None
+    if closes(task, solved.hurdle, routing.up):
+        return replace(solved, shown=Shown(solved.hurdle, routing.part()), complete=True)
+    return replace(solved, shown=Shown(task.gain_hurdle(routing.up), routing.part()))
 
 
 def _valued(task: Problem, solved: Solved, aim: Aim, budget: Budget) -> Solved:
     """Search all cuts for the value alone."""
-    if task.n > LONG_NODES or solved.complete or solved.test is None:
+    if task.n > LONG_NODES or solved.complete or solved.hurdle is None:
         return solved
     walk = Walk(task, next(orders(task)))
-    if not walk.runs_in_c(solved.test, aim):
+    if not walk.runs_in_c(solved.hurdle, aim):
         return solved
-    found = walk.search(solved.test, aim, budget.search)
+    found = walk.search(solved.hurdle, aim, budget.search)
     return replace(_improved(task, solved, aim, found), complete=found.done)
 
 
 def _loosened(task: Problem, solved: Solved, aim: Aim, limit: int) -> Solved:
-    """A weaker test with a witness, unless a routing already gives a stronger one."""
-    if task.n > LARGEST or solved.test is None:
+    """A weaker hurdle with a witness, unless a routing already gives a stronger one."""
+    if task.n > LARGEST or solved.hurdle is None:
         return solved
     walk = Walk(task, next(orders(task)))
     for factor in LOOSER:
-        test = _weaker(solved.test, aim, factor)
-        if solved.shown is not None and task.ratio(solved.shown.test) <= task.ratio(test):
+        hurdle = _weaker(solved.hurdle, aim, factor)
+        if solved.shown is not None and task.ratio(solved.shown.hurdle) <= task.ratio(hurdle):
             break
-        found = walk.search(test, Aim.FAILURE, limit)
+        found = walk.search(hurdle, Aim.FAILURE, limit)
         if found.done and found.cut is None:
             part = {"kind": "enumeration", "order": list(walk.order)}
-            return replace(solved, shown=Shown(test, part, found.visits))
+            return replace(solved, shown=Shown(hurdle, part, found.visits))
     return solved
 
 
-def _weaker(test: Test, aim: Aim, factor: Fraction) -> Test:
-    """The test of a larger gain, or of a smaller rate."""
+def _weaker(hurdle: Hurdle, aim: Aim, factor: Fraction) -> Hurdle:
+    """The hurdle of a larger gain, or of a smaller rate."""
     if aim is Aim.RATIO:
-        return Test(test.b * factor.numerator, test.c * factor.denominator)
-    return replace(test, q=test.q * factor.numerator**2, d=test.d * factor.denominator)
+        return Hurdle(hurdle.b * factor.numerator, hurdle.c * factor.denominator)
+    return replace(hurdle, q=hurdle.q * factor.numerator**2, d=hurdle.d * factor.denominator)

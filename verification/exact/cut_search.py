@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from sensortrack.kernels import kernel
 
-from .cut_problem import Aim, Problem, Test
+from .cut_problem import Aim, Problem, Hurdle
 
 LARGEST = 600
 """Most nodes of a network whose cuts are searched."""
@@ -38,8 +38,8 @@ class Found:
         Whether all cuts were looked at (or, for ``Aim.FAILURE``, a cut was found).
     cut : tuple of int or None
         The last cut that was not clear: nodes in increasing order.
-    test : Test
-        The test that all cuts pass if the search is done and not for a failure.
+    hurdle : Hurdle
+        The hurdle that all cuts pass if the search is done and not for a failure.
     visits : int
         Nodes of the search tree that were visited.
     covered : float
@@ -48,7 +48,7 @@ class Found:
 
     done: bool
     cut: tuple[int, ...] | None
-    test: Test
+    hurdle: Hurdle
     visits: int
     covered: float
 
@@ -75,14 +75,14 @@ class Walk:
             i > 0 and twins(task, self.order[i - 1], node) for i, node in enumerate(self.order)
         ]
 
-    def search(self, test: Test, aim: Aim, limit: int) -> Found:
+    def search(self, hurdle: Hurdle, aim: Aim, limit: int) -> Found:
         """Look for cuts that are not clear.
 
         Parameters
         ----------
-        test : Test
+        hurdle : Hurdle
             What a cut has to pass. Unless a failure is looked for, each cut that does not pass
-            replaces it by the test that it just passes.
+            replaces it by the hurdle that it just passes.
         aim : Aim
         limit : int
             Most nodes of the search tree to visit.
@@ -92,44 +92,44 @@ class Walk:
         Found
         """
         library = kernel("cuts").library
-        if library is not None and self._fits(test, aim):
-            return self._search_in_c(library, test, aim, limit)
-        return self._search_in_python(test, aim, limit)
+        if library is not None and self._fits(hurdle, aim):
+            return self._search_in_c(library, hurdle, aim, limit)
+        return self._search_in_python(hurdle, aim, limit)
 
-    def runs_in_c(self, test: Test, aim: Aim) -> bool:
+    def runs_in_c(self, hurdle: Hurdle, aim: Aim) -> bool:
         """Whether a search would run in C, some hundred times as fast."""
-        return kernel("cuts").library is not None and self._fits(test, aim)
+        return kernel("cuts").library is not None and self._fits(hurdle, aim)
 
-    def _fits(self, test: Test, aim: Aim) -> bool:
+    def _fits(self, hurdle: Hurdle, aim: Aim) -> bool:
         """Whether no product in C leaves 127 bits and no number 62."""
         task = self.task
         k, load = sum(task.weights), max(task.largest_loads)
-        b, c = test.b, test.c
+        b, c = hurdle.b, hurdle.c
         if aim is Aim.RATIO:
             b, c = max(b, load), max(c, k)
         gap = max(b * k, c * load)
-        q = max(test.q, task.n**2)
-        squares = gap**2 * q if test.d or aim is Aim.RATE else 0
+        q = max(hurdle.q, task.n**2)
+        squares = gap**2 * q if hurdle.d or aim is Aim.RATE else 0
         return (
-            max(b, c, k, load, test.d, q) < 2**62
+            max(b, c, k, load, hurdle.d, q) < 2**62
             and gap < 2**126
-            and max(squares, test.d**2 * task.n**2) < 2**126
+            and max(squares, hurdle.d**2 * task.n**2) < 2**126
         )
 
-    def _search_in_c(self, library: ctypes.CDLL, test: Test, aim: Aim, limit: int) -> Found:
-        run = _Search(self, test, aim, limit)
+    def _search_in_c(self, library: ctypes.CDLL, hurdle: Hurdle, aim: Aim, limit: int) -> Found:
+        run = _Search(self, hurdle, aim, limit)
         status = library.sensortrack_search_cuts(ctypes.byref(run.struct))
         cut = None
         if run.struct.found:
             cut = self._cut(run.best.tolist())
-        final = Test(*map(int, run.struct.test))
+        final = Hurdle(*map(int, run.struct.hurdle))
         done = status != _LIMIT
         return Found(done, cut, final, int(run.struct.visits), float(run.struct.covered))
 
     def _cut(self, best: Sequence[int]) -> tuple[int, ...]:
         return tuple(sorted(node for node, side in zip(self.order, best, strict=True) if side))
 
-    def _search_in_python(self, test: Test, aim: Aim, limit: int) -> Found:
+    def _search_in_python(self, hurdle: Hurdle, aim: Aim, limit: int) -> Found:
         """The same walk with an explicit stack and integers of any size."""
         task, n = self.task, self.task.n
         link = [[0] * n, [0] * n]
@@ -157,29 +157,29 @@ class Walk:
                     link[choice + 4][u] -= w
                 continue
             if visits >= limit:
-                return Found(False, cut, test, visits, covered)
+                return Found(False, cut, hurdle, visits, covered)
             visits += 1
             if i == n:
                 covered += share
                 load = task.load(count, inside)
-                if count == n or test.clears(n, k, load, count):
+                if count == n or hurdle.clears(n, k, load, count):
                     continue
                 cut = self._cut(side)
-                better = None if aim is Aim.FAILURE else test.marked(aim, n, k, load, count)
+                better = None if aim is Aim.FAILURE else hurdle.marked(aim, n, k, load, count)
                 if better is None:
-                    return Found(True, cut, test, visits, covered)
-                test = better
+                    return Found(True, cut, hurdle, visits, covered)
+                hurdle = better
                 continue
             high = min(n - i + count, n - 1)
             worst = int(task.worst[count, high])
-            if i and test.clears(n, k + extra, worst, min(max(count, n // 2), high)):
+            if i and hurdle.clears(n, k + extra, worst, min(max(count, n // 2), high)):
                 covered += share
                 continue
             extra -= min(link[0][i], link[1][i])
             choices = [c for c in (0, 1) if self._may(i, c, side)]
             # in S comes first: it is pushed last
             stack.extend((i, c, count, inside, k, extra, share / len(choices)) for c in choices)
-        return Found(True, cut, test, visits, covered)
+        return Found(True, cut, hurdle, visits, covered)
 
     def _may(self, i: int, choice: int, side: list[int]) -> bool:
         if choice:
@@ -214,7 +214,7 @@ class _Struct(ctypes.Structure):
         ("total", ctypes.c_int64),
         ("mode", ctypes.c_int32),
         ("limit", ctypes.c_int64),
-        ("test", ctypes.c_int64 * 4),
+        ("hurdle", ctypes.c_int64 * 4),
         ("visits", ctypes.c_int64),
         ("covered", ctypes.c_double),
         ("side", ctypes.c_void_p),
@@ -227,7 +227,7 @@ class _Struct(ctypes.Structure):
 class _Search:
     """The struct and the arrays that it points to."""
 
-    def __init__(self, walk: Walk, test: Test, aim: Aim, limit: int) -> None:
+    def __init__(self, walk: Walk, hurdle: Hurdle, aim: Aim, limit: int) -> None:
         n = walk.task.n
         counts = np.cumsum([0, *map(len, walk.later)])
         pairs = [pair for row in walk.later for pair in row]
@@ -249,6 +249,6 @@ class _Search:
             total=walk.task.total,
             mode=int(aim),
             limit=limit,
-            test=(ctypes.c_int64 * 4)(test.b, test.c, test.q, test.d),
+            hurdle=(ctypes.c_int64 * 4)(hurdle.b, hurdle.c, hurdle.q, hurdle.d),
             **pointers,
         )

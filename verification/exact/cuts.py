@@ -33,12 +33,12 @@ from .cut_components import (
     solved,
     spread,
 )
-from .cut_problem import Aim, Test
+from .cut_problem import Aim, Hurdle
 from .cut_roads import Budget, Shown, Solved, refute_or_show
 
 DEFAULT = Budget()
-ANY_LOAD = Test(0, 1)
-WEIGHT_ALONE = Test(1, 0)
+ANY_LOAD = Hurdle(0, 1)
+WEIGHT_ALONE = Hurdle(1, 0)
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ def threshold(network: Network, gamma: Sequence[Fraction], budget: Budget = DEFA
         return _threshold_of_factors(network, gamma[0], budget)
     parts = components(network, gamma)
     found = solved(parts, [ANY_LOAD] * len(parts), Aim.RATIO, budget)
-    return _bracket(network, parts, found, lambda part, test: part.task.ratio(test))
+    return _bracket(network, parts, found, lambda part, hurdle: part.task.ratio(hurdle))
 
 
 def margin(network: Network, budget: Budget = DEFAULT) -> CutBracket:
@@ -126,7 +126,7 @@ def margin(network: Network, budget: Budget = DEFAULT) -> CutBracket:
     """
     parts = components(network, [Fraction(0)] * network.n)
     found = solved(parts, [WEIGHT_ALONE] * len(parts), Aim.RATE, budget)
-    of = _bracket(network, parts, found, lambda part, test: 1 / part.task.margin_squared(test))
+    of = _bracket(network, parts, found, lambda part, hurdle: 1 / part.task.margin_squared(hurdle))
     return replace(of, lower=_inverse(of.upper), upper=_inverse(of.lower), value=_inverse(of.value))
 
 
@@ -163,10 +163,10 @@ def slowest(
         The network has no edge.
     """
     parts = components(network, gamma)
-    starts = [part.task.gain_test(beta) for part in parts]
+    starts = [part.task.gain_hurdle(beta) for part in parts]
     found = solved(parts, starts, Aim.RATE, budget)
     for part, one in zip(parts, found, strict=True):
-        if one.test is None:
+        if one.hurdle is None:
             cut = part.whole(one.cut)
             return CutBracket(None, None, cut, cut_item(cut), None, None, infinite=True)
     squares = {part.place: spread([x0[i] for i in part.nodes]) for part in parts}
@@ -174,9 +174,9 @@ def slowest(
         if not squares[part.place] and found[place].shown is None:
             found[place] = _kept(part, start, found[place], budget)
 
-    def time_squared(part: Component, test: Test) -> Fraction:
+    def time_squared(part: Component, hurdle: Hurdle) -> Fraction:
         square = squares[part.place]
-        return square / part.task.rate_squared(test) if square else Fraction(0)
+        return square / part.task.rate_squared(hurdle) if square else Fraction(0)
 
     return _bracket(network, parts, found, time_squared)
 
@@ -217,7 +217,7 @@ def decide(
         return None, None
     parts, items = components(network, gamma), []
     for part in parts:
-        found = refute_or_show(part.task, part.task.gain_test(beta), budget)
+        found = refute_or_show(part.task, part.task.gain_hurdle(beta), budget)
         if isinstance(found, tuple):
             return False, cut_item(part.whole(found))
         if found is None:
@@ -231,23 +231,23 @@ def _bracket(
     network: Network,
     parts: Sequence[Component],
     found: Sequence[Solved],
-    badness: Callable[[Component, Test], Fraction],
+    badness: Callable[[Component, Hurdle], Fraction],
 ) -> CutBracket:
     """Bracket of the largest badness: attained by a cut, and shown for all components."""
     pairs = list(zip(parts, found, strict=True))
-    attained = [badness(part, one.test) if one.test else Fraction(0) for part, one in pairs]
+    attained = [badness(part, one.hurdle) if one.hurdle else Fraction(0) for part, one in pairs]
     place = max(range(len(parts)), key=attained.__getitem__)
     lower, upper, clear = attained[place], None, None
     shown = [one.shown for one in found if one.shown is not None]
     if len(shown) == len(parts):
         clear = clear_item(network, parts, [one.part for one in shown])
-        upper = max(badness(part, one.test) for part, one in zip(parts, shown, strict=True))
+        upper = max(badness(part, one.hurdle) for part, one in zip(parts, shown, strict=True))
     known = lower == upper or all(one.complete for one in found)
     cut = parts[place].whole(found[place].cut)
     return CutBracket(lower, upper, cut, cut_item(cut), clear, lower if known else None)
 
 
-def _kept(part: Component, start: Test, one: Solved, budget: Budget) -> Solved:
+def _kept(part: Component, start: Hurdle, one: Solved, budget: Budget) -> Solved:
     """Show only that agreement is kept, where a component starts in agreement."""
     found = refute_or_show(part.task, start, budget)
     return replace(one, shown=found if isinstance(found, Shown) else None)

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from sensortrack.networks import Network
 
-from .cut_problem import Problem, Test, problem
+from .cut_problem import Problem, Hurdle, problem
 from .flow_programs import better_flows
 from .flows import Carrier, Flows, electrical_flows
 
@@ -60,7 +60,7 @@ def route(
         The part ``{"kind": "routing", "unit", "flows"}`` of a certificate.
     """
     task = problem(network, gamma)
-    target = task.gain_test(cut_value)
+    target = task.gain_hurdle(cut_value)
     found = better_routing(task, first_routing(task), target)
     return found.up, found.part()
 
@@ -99,7 +99,7 @@ def first_routing(task: Problem) -> Routing:
     return min(rounded(task, carrier, electrical_flows(carrier)), key=lambda routing: routing.up)
 
 
-def better_routing(task: Problem, first: Routing, target: Test) -> Routing:
+def better_routing(task: Problem, first: Routing, target: Hurdle) -> Routing:
     """Route until no cut can lie above the target, or no better routing is found.
 
     Parameters
@@ -108,8 +108,8 @@ def better_routing(task: Problem, first: Routing, target: Test) -> Routing:
         Connected, bounds not all zero.
     first : Routing
         Where to start.
-    target : Test
-        The test of the best cut known.
+    target : Hurdle
+        The hurdle of the best cut known.
 
     Returns
     -------
@@ -132,7 +132,7 @@ def better_routing(task: Problem, first: Routing, target: Test) -> Routing:
     return min(found, key=lambda routing: routing.up)
 
 
-def closes(task: Problem, target: Test, up: Fraction) -> bool:
+def closes(task: Problem, target: Hurdle, up: Fraction) -> bool:
     """Whether no cut can lie strictly above the target and not above `up`.
 
     With one bound gamma for all nodes N/k is 2 gamma s (n - s)/(n k), and k is a multiple of one

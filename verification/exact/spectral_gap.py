@@ -178,9 +178,10 @@ def _estimate(network: Network) -> float | None:
         return None
     x = vectors[:, int(np.argmax(values))]
     x = x - x.mean()
-    image = laplacian @ x
-    value = float(x @ image / (x @ x))
-    residual = float(np.linalg.norm(image - value * x) / np.linalg.norm(x))
+    steps = x[network.edges[:, 0]] - x[network.edges[:, 1]]
+    weights = np.array([float(w) for w in network.weights]) if network.weights else 1.0
+    value = float((weights * steps**2).sum() / (x @ x))  # no cancellation, unlike x'Lx
+    residual = float(np.linalg.norm(laplacian @ x - value * x) / np.linalg.norm(x))
     return value if residual <= RESIDUAL * value else None
 
 

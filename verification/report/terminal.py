@@ -17,6 +17,7 @@ PLAIN_MARKS = {"PROVED": "+", "CORRECTED": "^", "REFUTED": "x", "SUPPORTED": "~"
 COLOURS = {"PROVED": 36, "CORRECTED": 33, "REFUTED": 31, "SUPPORTED": 35, "UNDECIDED": 90}
 ASCII = str.maketrans({"–": "-", "…": "..", "≥": ">=", "≤": "<=", "×": "x", "β": "beta", "λ": "l"})
 NARROW = 60
+FILE_WIDTH = 140
 CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
 
 
@@ -35,7 +36,7 @@ def show(folder: Path, *, plain: bool = False, stream: TextIO | None = None) -> 
     out = stream or sys.stdout
     plain = plain or not _writes("✓", out)
     colour = not plain and out.isatty() and "NO_COLOR" not in os.environ
-    width = shutil.get_terminal_size((110, 24)).columns if out.isatty() else 110
+    width = shutil.get_terminal_size((FILE_WIDTH, 24)).columns if out.isatty() else FILE_WIDTH
     findings = read_findings(folder)
     lines = [*claim_lines(findings, plain, colour, width), *network_lines(findings, width)]
     for line in [*lines, "", headline(findings)]:
@@ -80,7 +81,7 @@ def network_lines(findings: Findings, width: int) -> list[str]:
     return [
         "",
         "gain threshold of real networks, gamma = 1",
-        *_aligned(_fitted([head, *rows], width, 7)),
+        *_aligned(_fitted([head, *rows], width, 8)),
     ]
 
 

@@ -79,6 +79,8 @@ def _row(network: Network, sharp: Answer) -> dict[str, Any]:
         "cut": [network.names[i] for i in side],
         "cut_edges": len(links),
         "cut_links": links,
+        "names": list(network.names),
+        "edge_list": network.edges.tolist(),
     }
 
 

@@ -65,7 +65,7 @@ def answer(
         except CertificateError as error:
             reasons.append(f"no certificate: {error}")
     low = None if lower is None else below(lower)
-    high = None if upper is None else above(upper)
+    high = None if upper is None else above(upper) or 0.0  # no negative zero
     narrow = lower is not None and upper is not None and upper - lower <= USABLE * upper
     if document is not None and lower is not None and upper is not None and narrow:
         middle = nearest((lower + upper) / 2)
