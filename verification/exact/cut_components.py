@@ -10,7 +10,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from sensortrack.networks import Network
 
-from .cut_problem import Aim, Problem, Hurdle, problem
+from .cut_problem import Aim, Hurdle, Problem, problem
 from .cut_roads import Budget, Solved, solve
 
 Item = dict[str, Any]

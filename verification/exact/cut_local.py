@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .cut_orders import laplacian_modes
-from .cut_problem import Aim, Problem, Hurdle
+from .cut_problem import Aim, Hurdle, Problem
 
 MODES = 4
 PASSES = 12

@@ -50,7 +50,7 @@ class Aim(IntEnum):
 
 @dataclass(frozen=True)
 class Hurdle:
-    """A cut is clear if D = b k - c load >= 0 and D^2 q >= d^2 s (n - s)."""
+    """What a cut has to clear: D = b k - c load >= 0 and D^2 q >= d^2 s (n - s)."""
 
     b: int
     c: int
@@ -63,7 +63,7 @@ class Hurdle:
         return gap >= 0 and gap * gap * self.q >= self.d * self.d * s * (n - s)
 
     def marked(self, aim: Aim, n: int, k: int, load: int, s: int) -> Hurdle | None:
-        """The hurdle that this cut passes with equality; None if no rate above 0 does."""
+        """The hurdle that this cut just clears; None if the cut leaves no rate above 0."""
         if aim is Aim.RATIO:
             common = math.gcd(load, k)
             return Hurdle(load // common, k // common)
@@ -165,8 +165,8 @@ class Problem:
 
     def rate_squared(self, hurdle: Hurdle) -> Fraction:
         """The bound on (beta k - N)^2/p of a hurdle whose b and c come from `gain_hurdle(beta)`."""
-        # D is (beta k - N) times beta's denominator, both units and n, divided by what `gain_hurdle`
-        # divided by; what is left of all this is c, n and the unit of gamma
+        # D is beta k - N times beta's denominator, n and both units, over a common factor: what is
+        # left of all these is c, n and the unit of gamma
         return Fraction(hurdle.d**2 * self.n, hurdle.q * (hurdle.c * self.n * self.gamma_unit) ** 2)
 
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from .cut_local import congested_cut, good_cut
 from .cut_orders import orders
-from .cut_problem import Aim, Problem, Hurdle
+from .cut_problem import Aim, Hurdle, Problem
 from .cut_search import LARGEST, Found, Walk
 from .routing import Routing, better_routing, closes, first_routing
 

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from sensortrack.kernels import kernel
 
-from .cut_problem import Aim, Problem, Hurdle
+from .cut_problem import Aim, Hurdle, Problem
 
 LARGEST = 600
 """Most nodes of a network whose cuts are searched."""

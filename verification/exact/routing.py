@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from sensortrack.networks import Network
 
-from .cut_problem import Problem, Hurdle, problem
+from .cut_problem import Hurdle, Problem, problem
 from .flow_programs import better_flows
 from .flows import Carrier, Flows, electrical_flows
 

@@ -1,0 +1,200 @@
+"""The rules by which witnesses about cuts are accepted, as literally as possible and slowly.
+
+Written from the rules alone and in rationals, without the scaling, the caches and the incremental
+sums of the checker: a second opinion on every witness.
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from sensortrack.networks import Network
+
+BUDGET = 2_000_000
+
+
+class Refused(Exception):
+    """The witness does not show what it should."""
+
+
+class Component:
+    def __init__(self, network: Network, gamma: Sequence[Fraction]) -> None:
+        self.n, self.gamma = network.n, list(gamma)
+        self.pairs = [(int(i), int(j)) for i, j in network.edges]
+        self.weights = list(network.weights or [Fraction(1)] * network.m)
+
+    def k(self, inside: set[int]) -> Fraction:
+        return sum(
+            (
+                w
+                for (i, j), w in zip(self.pairs, self.weights, strict=True)
+                if (i in inside) != (j in inside)
+            ),
+            Fraction(0),
+        )
+
+    def load(self, inside: set[int]) -> Fraction:
+        share = Fraction(len(inside), self.n)
+        within = sum((self.gamma[i] for i in inside), Fraction(0))
+        return (1 - share) * within + share * (sum(self.gamma) - within)
+
+    def p(self, s: int) -> Fraction:
+        return Fraction(s * (self.n - s), self.n)
+
+    def largest_load(self, s: int) -> Fraction:
+        """Largest load of a set of s nodes: those of the largest or of the smallest bounds."""
+        ranked = sorted(range(self.n), key=lambda i: self.gamma[i])
+        return max(self.load(set(ranked[:s])), self.load(set(ranked[self.n - s :])))
+
+    def weight_between(self, v: int, others: set[int]) -> Fraction:
+        return sum(
+            (
+                w
+                for pair, w in zip(self.pairs, self.weights, strict=True)
+                if v in pair and (set(pair) - {v}) & others
+            ),
+            Fraction(0),
+        )
+
+    def twins(self, u: int, v: int) -> bool:
+        def seen(a: int, b: int) -> list[Fraction]:
+            return [self.weight_between(a, {c}) for c in range(self.n) if c not in (a, b)]
+
+        return self.gamma[u] == self.gamma[v] and seen(u, v) == seen(v, u)
+
+
+def clear(b: Fraction, f: Fraction, e: Fraction, k: Fraction, load: Fraction, p: Fraction) -> bool:
+    return b * k >= load and f * (b * k - load) ** 2 >= e * p
+
+
+def spread(e: Fraction | Sequence[Fraction], nodes: Sequence[int]) -> Fraction:
+    if isinstance(e, Fraction):
+        return e
+    mean = sum((e[i] for i in nodes), Fraction(0)) / len(nodes)
+    return sum(((e[i] - mean) ** 2 for i in nodes), Fraction(0))
+
+
+def check_clear(
+    network: Network,
+    gamma: Sequence[Fraction],
+    b: Fraction,
+    f: Fraction,
+    e: Fraction | Sequence[Fraction],
+    witness: dict[str, Any],
+) -> None:
+    """Accept that every cut of every component is clear, or raise Refused."""
+    if network.factors:
+        (part,) = witness["parts"]
+        for factor, inner in zip(network.factors, part["parts"], strict=True):
+            inner_witness = {"kind": "cuts", "parts": [inner]}
+            check_clear(factor, [gamma[0]] * factor.n, b, f, e, inner_witness)
+        return
+    components = network.components()
+    for nodes, part in zip(components, witness["parts"], strict=True):
+        component = Component(network.subnetwork(nodes), [gamma[i] for i in nodes])
+        {"tree": tree, "enumeration": enumeration, "routing": routing}[part["kind"]](
+            component, b, f, spread(e, nodes), part
+        )
+
+
+def tree(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
+    if len(c.pairs) != c.n - 1:
+        raise Refused("no tree")
+    for left in c.pairs:
+        inside, rest = {left[0]}, [pair for pair in c.pairs if pair != left]
+        for _ in rest:
+            for pair in rest:
+                if set(pair) & inside:
+                    inside |= set(pair)
+        if not clear(b, f, e, c.k(inside), c.load(inside), c.p(len(inside))):
+            raise Refused(f"the edge {left}")
+
+
+def enumeration(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
+    order, visits = part["order"], 0
+    if sorted(order) != list(range(c.n)):
+        raise Refused("no permutation")
+
+    def visit(inside: set[int], outside: set[int]) -> None:
+        nonlocal visits
+        visits += 1
+        if visits > BUDGET:
+            raise Refused("too long")
+        free = set(range(c.n)) - inside - outside
+        if not free:
+            if outside and not clear(b, f, e, c.k(inside), c.load(inside), c.p(len(inside))):
+                raise Refused(f"the cut {inside}")
+            return
+        if inside:
+            known = sum((c.weight_between(v, outside) for v in inside), Fraction(0))
+            known += sum(
+                (min(c.weight_between(v, inside), c.weight_between(v, outside)) for v in free),
+                Fraction(0),
+            )
+            sizes = range(len(inside), min(c.n - len(outside), c.n - 1) + 1)
+            load = max(c.largest_load(s) for s in sizes)
+            if clear(b, f, e, known, load, max(c.p(s) for s in sizes)):
+                return
+        v = order[c.n - len(free)]
+        last = order[c.n - len(free) - 1] if inside or outside else None
+        if last is None or last in inside or not c.twins(last, v):
+            visit(inside | {v}, outside)
+        if last is not None:
+            visit(inside, outside | {v})
+
+    visit(set(), set())
+
+
+def routing(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
+    if e:
+        raise Refused("a routing says nothing about rates")
+    unit = part["unit"]
+    loads = [Fraction(0)] * len(c.pairs)
+    for source, flow in enumerate(part["flows"]):
+        net = [0] * c.n
+        for edge, value in flow:
+            net[c.pairs[edge][0]] += value
+            net[c.pairs[edge][1]] -= value
+            loads[edge] += c.gamma[source] * abs(value) / (c.n * unit * c.weights[edge])
+        if net != [unit * (c.n * (i == source) - 1) for i in range(c.n)]:
+            raise Refused(f"the flow of {source}")
+    up = max(loads)
+    if b >= up:
+        return
+    if len(set(c.gamma)) > 1 or b <= 0:
+        raise Refused("the routing shows less")
+    grain = Fraction(1)
+    for w in c.weights:
+        grain = Fraction(1, (grain.denominator * w.denominator))
+    for s in range(1, c.n):
+        top = 2 * c.gamma[0] * c.p(s)
+        least = top / up // grain  # multiples of the grain from here on may be weights of cuts
+        while (k := least * grain) <= top / b:
+            if k > 0 and b < top / k <= up:
+                raise Refused(f"{s} nodes and weight {k} lie in the gap")
+            least += 1
+
+
+def check_reaches(
+    network: Network,
+    gamma: Sequence[Fraction],
+    b: Fraction,
+    f: Fraction,
+    e: Fraction | Sequence[Fraction],
+    witness: dict[str, Any],
+) -> None:
+    """Accept that a cut is not clear with room to spare, or raise Refused."""
+    if network.factors:
+        factor = network.factors[witness["factor"]]
+        plain = {"kind": "cut", "nodes": witness["nodes"]}
+        check_reaches(factor, [gamma[0]] * factor.n, b, f, e, plain)
+        return
+    inside = set(witness["nodes"])
+    (nodes,) = (nodes for nodes in network.components() if inside <= set(nodes))
+    if not inside or inside == set(nodes):
+        raise Refused("no cut")
+    c = Component(network.subnetwork(nodes), [gamma[i] for i in nodes])
+    s = {nodes.index(i) for i in inside}
+    k, load, square = c.k(s), c.load(s), spread(e, nodes)
+    if b * k > load and f * (b * k - load) ** 2 > square * c.p(len(s)):
+        raise Refused("the cut is clear")
