@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from verification.certificates import check
-from verification.certificates.make import Prover
+from verification.certificates.make import CertificateError, Prover
 
 CHECKER = Path(check.__file__)
 
@@ -91,3 +91,23 @@ def judged(made, path, known):
     """Entry and exit status of one document, read from a file."""
     path.write_text(made if isinstance(made, str) else json.dumps(made), encoding="utf-8")
     return check.check_file(str(path), known)
+
+
+def provable(show, inputs, kinds=None, witness=()):
+    """The witness that is found, or None; the checker itself runs within the search."""
+    try:
+        return proved_by_search(show, witness, inputs, kinds)
+    except (check.Reject, CertificateError):
+        return None
+
+
+def text(rows):
+    return [[str(x) for x in row] for row in rows]
+
+
+def congruence(*rows):
+    return {"kind": "congruence", "rows": [list(row) for row in rows]}
+
+
+def vector(*x):
+    return {"kind": "vector", "x": list(x)}
