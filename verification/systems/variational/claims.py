@@ -171,7 +171,8 @@ def discrete_stability() -> Decision:
         sharp_value=answer.value,
         margin_text="the limit is missing",
         repair="(20) is asymptotically stable for all gains and steps with 4M + 2hC - h^2 K "
-        "positive definite; for given gains, the step where that ends is certified from both sides.",
+        "positive definite; for given gains, the step where that ends is certified from both "
+        "sides.",
         repair_formula=r"4M+2hC-h^2K\succ0",
         certificates={
             "variational.discrete_stability": refuted,
