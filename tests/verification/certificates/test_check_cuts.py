@@ -109,6 +109,7 @@ def test_parts_that_do_not_fit_the_graph(part):
         ABOVE, [cuts(enumeration(2, 0, 3, 1))], {"graph": RING, "gamma": "3", "b": "3"}, THRESHOLD
     )
     assert not accepts(ABOVE, [cuts(part)], {"graph": RING, "gamma": "3", "b": "3"}, THRESHOLD)
+    assert not accepts(ABOVE, [cuts(part)], {"graph": RING, "gamma": "3", "b": "99"}, THRESHOLD)
 
 
 @pytest.mark.parametrize("b, f, s", [("-1", "1", "1"), ("1", "-1", "1"), ("1", "1", "-1")])

@@ -87,6 +87,31 @@ def test_what_is_no_matrix(rows):
     assert not accepts(["pd(A)"], [congruence([1])], {"A": rows}, A)
 
 
+RAGGED = [
+    [["1", "0"], ["0", "1", "9"]],
+    [["1", "0", "9"], ["0", "1"]],
+    [["1", "0"], ["0"]],
+    [["1", "0"], ["0", "1"], []],
+]
+
+
+@pytest.mark.parametrize("rows", RAGGED)
+def test_rows_of_unlike_lengths_are_no_matrix(rows):
+    assert not accepts(["pd(A)"], [congruence([1, 0], [0, 1])], {"A": rows}, A)
+    assert not accepts(["A == A"], [], {"A": rows}, A)
+
+
+@pytest.mark.parametrize("show", ["A*B == A*B", "B*A == B*A", "A + B == A + B", "A != B", "A == B"])
+def test_matrices_of_unlike_shapes_are_neither_added_nor_multiplied_nor_compared(show):
+    inputs = {
+        "A": [["1", "0"], ["0", "1"]],
+        "B": [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]],
+    }
+    kinds = {"A": "matrix", "B": "matrix"}
+    assert not accepts([show], [], inputs, kinds)
+    assert accepts([show.replace("B", "A").replace("!=", "==")], [], inputs, kinds)
+
+
 @pytest.mark.parametrize(
     "terms, holds",
     [

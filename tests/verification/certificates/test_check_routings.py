@@ -10,7 +10,7 @@ from tests.strategies import connected_networks, rationals
 
 from .cut_cases import ABOVE, BELOW, CLEAR, KINDS, SMALL, THRESHOLD, all_cuts, some_nodes
 from .documents import accepts
-from .samples import LADDER, PAIR, PATH, RING, cuts, enumeration, ring_routing
+from .samples import LADDER, PAIR, PATH, RING, TREE, cuts, enumeration, ring_routing
 
 
 def ring_inputs(b, gamma="3"):
@@ -153,6 +153,29 @@ def test_a_product_is_clear_if_and_only_if_its_factors_are(factors, gamma):
         assert accepts(ABOVE, [product], inputs | {"graph": graph}, THRESHOLD) == accepts(
             ABOVE, [whole], inputs | {"graph": flat}, THRESHOLD
         )
+
+
+PIECES = {"nodes": ["a", "b", "c", "d"], "edges": [[1, 2], [2, 3]]}
+PRODUCTS = [
+    {"product": [PAIR, PIECES]},
+    {"product": [PIECES, PAIR]},
+    {"product": [PAIR, {"product": [PAIR, PAIR]}]},
+    {"product": [PAIR]},
+    {"product": []},
+    {"product": [PAIR, PAIR], "weights": []},
+    {"product": PAIR},
+]
+
+
+@pytest.mark.parametrize("graph", PRODUCTS)
+def test_factors_are_two_or_more_each_connected_and_no_product(graph):
+    inputs = {"graph": graph, "gamma": "0", "b": "1"}
+    for count in range(4):
+        item = cuts({"kind": "product", "parts": [TREE] * count})
+        assert not accepts(ABOVE, [item], inputs, THRESHOLD)
+    assert not accepts(BELOW, [{"kind": "cut", "factor": 0, "nodes": [0]}], inputs, THRESHOLD)
+    fine = inputs | {"graph": {"product": [PAIR, PAIR]}}
+    assert accepts(ABOVE, [cuts({"kind": "product", "parts": [TREE, TREE]})], fine, THRESHOLD)
 
 
 NESTED = {"product": [{"product": [PAIR, PAIR]}, PAIR]}
