@@ -46,7 +46,8 @@ class Statement:
     cases : mapping of str to Case
         Usually ``PROVED`` and ``REFUTED``.
     inputs : mapping of str to str
-        Data of the certificate: name to ``matrix``, ``number``, ``nodes`` or ``graph``.
+        Data of the certificate: name to ``matrix``, ``number``, ``nodes``, ``graph`` or
+        ``unweighted graph``.
     symbols : mapping of str to str
         Letters of a universal statement, like ``"matrix: n m"``, ``"positive definite: n"``,
         ``"vector: n"``, ``"positive"``.

@@ -423,13 +423,13 @@ def digest_of(statement):
     return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 def environment(statement, inputs):
     """Values of a statement's names: data, letters ("matrix: n m", "vector: n") and scalars ("positive")."""
-    env, graph = {}, next((Graph(inputs[k]) for k, kind in statement["inputs"].items() if kind == "graph"), None)
-    for name, kind in statement["inputs"].items():
-        value = inputs[name]
-        if kind == "nodes" and not graph.factors:  # one number stands for all nodes
-            value = [[entry] for entry in (listed(value, graph.n) if type(value) is list else [value] * graph.n)]
-        rows = [[value]] if kind == "number" or (kind == "nodes" and graph.factors) else value
-        env[name] = graph if kind == "graph" else matrix(rows_of(rows))
+    env, graph = {}, next((Graph(inputs[k]) for k, kind in statement["inputs"].items() if "graph" in kind), None)
+    for name, kind, value in ((name, kind, inputs[name]) for name, kind in statement["inputs"].items()):
+        need(kind != "unweighted graph" or "weights" not in value, "a graph without weights is due")
+        each = kind == "nodes" and not graph.factors  # then one number stands for all nodes
+        rows = [[value]] if kind in ("number", "nodes") and not each else value
+        rows = [[x] for x in (listed(rows, graph.n) if type(rows) is list else [rows] * graph.n)] if each else rows
+        env[name] = graph if "graph" in kind else matrix(rows_of(rows))
     for name, text in statement["symbols"].items():
         kind, _, size = text.partition(": ")
         sizes = [*size.split(), "1" if kind == "vector" else size][:2]

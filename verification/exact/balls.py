@@ -15,7 +15,7 @@ def ball_rows(rows: Sequence[Sequence[Fraction]], bits: int) -> list[list[Any]]:
     import flint
 
     flint.ctx.prec = bits
-    shift = [_half_exponent(rows[i][i]) for i in range(len(rows))]
+    shift = [half_exponent(rows[i][i]) for i in range(len(rows))]
     return [
         [
             flint.arb(flint.fmpq(x.numerator, x.denominator))
@@ -26,7 +26,8 @@ def ball_rows(rows: Sequence[Sequence[Fraction]], bits: int) -> list[list[Any]]:
     ]
 
 
-def _half_exponent(x: Fraction) -> int:
+def half_exponent(x: Fraction) -> int:
+    """Half the binary exponent of a number that is not zero, rounded down."""
     return (abs(x.numerator).bit_length() - x.denominator.bit_length()) // 2
 
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from .balls import ball_ldl, ball_rows
+from .balls import ball_ldl, ball_rows, half_exponent
 from .evaluate import Rows, quadratic
 
 PRECISIONS = (64, 160, 400, 1000, 2500)
@@ -74,8 +74,6 @@ def _inverse_factor(
     """D^(-1/2) L^(-1) with the diagonal scaling of `ball_rows` put back, as midpoints."""
     import flint
 
-    from .balls import _half_exponent
-
     n = len(pivots)
     flint.ctx.prec = bits
     inverse: list[list[Any]] = []
@@ -87,7 +85,7 @@ def _inverse_factor(
             for j in range(k + 1):
                 row[j] -= weight * inverse[k][j]
         inverse.append([x.mid() for x in row])
-    shift = [flint.arb(2) ** -_half_exponent(rows[j][j]) for j in range(n)]
+    shift = [flint.arb(2) ** -half_exponent(rows[j][j]) for j in range(n)]
     return [
         [(x * s / d.mid().sqrt()).mid() for x, s in zip(row, shift, strict=True)]
         for row, d in zip(inverse, pivots, strict=True)

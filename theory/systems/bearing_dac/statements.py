@@ -127,7 +127,7 @@ def _gain() -> Statement:
 
 
 RUN = {
-    "graph": "graph",
+    "graph": "unweighted graph",
     "gamma": "number",
     "lambda_2": "number",
     "beta": "number",
@@ -156,10 +156,9 @@ BROKEN = (
 
 def _theorem_gain() -> Statement:
     words = (
-        "a connected graph, a gain beta >= 1 + gamma sqrt(n)/lambda_2 as printed and an admissible "
-        "disturbance: the error, which starts at x0, is x1 at the time t after the printed "
-        "settling time, "
-        "and that cut's disturbance drives it apart for ever"
+        "a connected graph without weights, a gain beta >= 1 + gamma sqrt(n)/lambda_2 as printed "
+        "and an admissible disturbance: the error, which starts at x0, is x1 at the time t after "
+        "the printed settling time, and that cut's disturbance drives it apart for ever"
     )
     return Statement(
         "bearing_dac",
@@ -175,11 +174,9 @@ def _theorem_gain() -> Statement:
 
 def _theorem_time() -> Statement:
     words = (
-        "a connected graph, a gain beta >= 1 + gamma sqrt(n)/lambda_2 as printed that is above "
-        "the true "
-        "threshold, and an admissible disturbance: the error, which starts at x0, is x1, not "
-        "zero, at the "
-        "time t after the printed settling time"
+        "a connected graph without weights, a gain beta >= 1 + gamma sqrt(n)/lambda_2 as printed "
+        "that is above the true threshold, and an admissible disturbance: the error, which starts "
+        "at x0, is x1, not zero, at the time t after the printed settling time"
     )
     clear = "cuts_clear(graph, gamma, beta, 1, 0)"
     return Statement(

@@ -85,3 +85,13 @@ def test_a_planted_false_counterexample_is_refused(change):
     witness = [item for item in document["witness"] if item["kind"] not in ("congruence",)]
     with pytest.raises(CertificateError):
         certificate("bearing_dac", "theorem_1_gain", inputs, witness, case="REFUTED")
+
+
+@pytest.mark.parametrize("weights", [["1"], ["1/2"]])
+def test_a_network_with_weights_is_no_counterexample_to_a_theorem_about_plain_ones(weights):
+    document = next(iter(gain_counterexamples(2))).document
+    graph = {**document["inputs"]["graph"], "weights": weights}
+    forged = {**document, "inputs": {**document["inputs"], "graph": graph}}
+    check.check_document(document, statements())
+    with pytest.raises(check.Reject, match="without weights"):
+        check.check_document(forged, statements())
