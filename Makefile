@@ -33,7 +33,6 @@ test: $(READY)
 
 test-strict: $(READY_STRICT) strict-programs
 	SENSORTRACK_STRICT=1 $(BIN)/python -m pytest -n $(WORKERS)
-	set -- notebooks/*.ipynb; if [ -e "$$1" ]; then $(BIN)/python -m pytest --nbmake notebooks; fi
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html
 
 bench: $(READY_STRICT)

@@ -6,7 +6,7 @@ import sympy as sp
 from tests.theory.substitution import generic, substituted, vector
 from theory.algebra.lagrange import discrete_equation, first_variation, recursion
 from theory.algebra.noncommuting import Form, letters
-from theory.systems.variational.statements import (
+from theory.systems.variational.statements.common import (
     EQUATION,
     PRINTED,
     SCHEME,

@@ -11,7 +11,15 @@ from tests.strategies import definite_matrices
 from tests.theory.substitution import generic, substituted, vector
 from theory.algebra.noncommuting import Form, letters
 from theory.algebra.quadratic_forms import complete, decrease, gradient, split
-from theory.systems.variational.statements import SYMMETRIC, C, K, M, discrete_energy, energy, h
+from theory.systems.variational.statements.common import (
+    SYMMETRIC,
+    C,
+    K,
+    M,
+    discrete_energy,
+    energy,
+    h,
+)
 
 X, U, Y, V = letters("x u y v", SYMMETRIC)
 H = sp.Symbol("h")

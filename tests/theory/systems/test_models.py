@@ -10,7 +10,7 @@ from theory.system import System
 from theory.systems import STATEMENTS, SYSTEMS
 from theory.systems.bearing_dac import SYSTEM as BEARING
 from theory.systems.variational import SYSTEM as VARIATIONAL
-from theory.systems.variational.statements import (
+from theory.systems.variational.statements.common import (
     PRINTED,
     SYMMETRIC,
     discrete_equation,

@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from theory.algebra.noncommuting import letters
-from theory.systems.variational.statements import EQUATION, energy
+from theory.systems.variational.statements.common import EQUATION, energy
 from verification.answers import Answer
 from verification.exact.evaluate import Rows, at, identity, scaled
 from verification.exact.rayleigh import image_ratio

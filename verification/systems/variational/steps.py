@@ -9,7 +9,7 @@ from typing import Any
 
 from theory.algebra.lagrange import Recursion
 from theory.algebra.noncommuting import Form
-from theory.systems.variational.statements import LEAPFROG, SCHEME
+from theory.systems.variational.statements.common import LEAPFROG, SCHEME
 from verification.answers import Answer
 from verification.certificates.make import certificate
 from verification.exact.definite import negative_vector

@@ -11,10 +11,12 @@ from hypothesis import strategies as st
 
 from tests.strategies import definite_matrices, rationals
 from theory.algebra.noncommuting import letters
-from theory.systems.variational.statements import discrete_energy, energy
+from theory.systems.variational.statements.common import discrete_energy, energy
 from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate, statements
-from verification.systems.variational.claims import DECISIONS, REPAIR_RELATIONS, derivation
+from verification.systems.variational.claims import DECISIONS
+from verification.systems.variational.claims.discrete import REPAIR_RELATIONS
+from verification.systems.variational.claims.witnesses import derivation
 from verification.verdict import Verdict
 
 GAINS = ("M", "K", "C")

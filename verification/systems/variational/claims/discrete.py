@@ -4,32 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import Any
 
 from theory.algebra.lagrange import first_variation
 from theory.algebra.noncommuting import Form, letters
-from theory.systems.variational.statements import EQUATION, PRINTED, SCHEME, energy, lagrangian
+from theory.systems.variational.statements.common import (
+    EQUATION,
+    PRINTED,
+    SCHEME,
+    energy,
+    lagrangian,
+)
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows
 from verification.verdict import Decision, Verdict
 
-from .steps import at_minus_one, step_limit
+from ..steps import at_minus_one, step_limit
+from .witnesses import derivation
 
 ONE: Rows = ((Fraction(1),),)
 UNIT_GAINS = {"M": ONE, "K": ONE, "C": ONE}
 SAMPLE_STEP = Fraction(1, 10)
 SAMPLE_STEPS = 6
-
-
-def derivation(
-    squares: tuple[tuple[str, str, str], ...] = (), *relations: tuple[str, str, str]
-) -> Any:
-    """Witness that an expression is a sum of squares plus multiples of what is given."""
-    return {
-        "kind": "derivation",
-        "squares": [list(entry) for entry in squares],
-        "relations": [list(entry) for entry in relations],
-    }
 
 
 def proposition_4_1() -> Decision:

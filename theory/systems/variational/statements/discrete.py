@@ -4,61 +4,27 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from ...algebra.lagrange import Recursion, discrete_equation, recursion
-from ...algebra.noncommuting import Form, letters, scalars
-from ...statements import BRACKET, Case, Statement
-
-HALF = Fraction(1, 2)
-SYMMETRIC = ("M", "K", "C")
-M, K, C = letters("M K C", SYMMETRIC)
-(h,) = scalars("h")
-
-GAINS = {"M": "matrix", "K": "matrix", "C": "matrix"}
-"""Inputs of the statements: symmetric positive definite matrices of one size."""
-
-ANY_GAINS = dict.fromkeys(SYMMETRIC, "positive definite: n") | {"h": "positive"}
-"""Symbols of the universal statements."""
-
-DEFINITE = tuple(f"pd({name})" for name in SYMMETRIC)
-
-
-def lagrangian(x: Form, u: Form) -> Form:
-    """Kinetic minus potential energy-like term, (11) and (18): L = 1/2 u'Mu - 1/2 x'Kx."""
-    return HALF * (u.T * M * u) - HALF * (x.T * K * x)
-
-
-def dissipation(_: Form, u: Form) -> Form:
-    """F_D = -C u_k, the force of Proposition 4.1."""
-    return -(C * u)
-
-
-def centred_dissipation(v: Form, u: Form) -> Form:
-    """-C (u_{k-1} + u_k)/2: the same force, centred at the node, which makes the scheme order 2."""
-    return -(HALF * (C * (u + v)))
-
-
-def energy(x: Form, u: Form) -> Form:
-    """Total energy-like term, (14): E = 1/2 u'Mu + 1/2 x'Kx."""
-    return HALF * (u.T * M * u) + HALF * (x.T * K * x)
-
-
-def discrete_energy(x: Form, u: Form) -> Form:
-    """W = E + h/4 u'Cu + h/4 (x'Ku + u'Kx), the energy that (20) does dissipate."""
-    return energy(x, u) + Fraction(1, 4) * (h * (u.T * C * u + x.T * K * u + u.T * K * x))
-
-
-EQUATION = discrete_equation(lagrangian, dissipation)
-"""(20) at node k, in u_{k-1} = v, x_k = x, u_k = u."""
-
-PRINTED = (M + h * C) * letters("u")[0] - M * letters("v")[0] + h * K * letters("x")[0]
-"""Last line of (20) as printed, with the index shifted by one, right side moved to the left."""
-
-SCHEME: Recursion = recursion(EQUATION)
-LEAPFROG: Recursion = recursion(discrete_equation(lagrangian, centred_dissipation))
-
-
-def _pencil(r: Recursion) -> str:
-    return f"{r.a2}, {r.a1}, {r.a0}"
+from ....algebra.lagrange import Recursion
+from ....algebra.noncommuting import Form, letters
+from ....statements import BRACKET, Case, Statement
+from .common import (
+    ANY_GAINS,
+    DEFINITE,
+    EQUATION,
+    GAINS,
+    LEAPFROG,
+    PRINTED,
+    SCHEME,
+    SYMMETRIC,
+    C,
+    K,
+    M,
+    discrete_energy,
+    energy,
+    h,
+    lagrangian,
+    pencil,
+)
 
 
 def step_statements(limit: str, scheme: Recursion, of: str) -> Statement:
@@ -70,8 +36,8 @@ def step_statements(limit: str, scheme: Recursion, of: str) -> Statement:
     )
     show = (
         *DEFINITE,
-        f"forall(h, 0, lower, schur({_pencil(scheme)}))",
-        f"forall(h, upper, inf, unstable({_pencil(scheme)}))",
+        f"forall(h, 0, lower, schur({pencil(scheme)}))",
+        f"forall(h, upper, inf, unstable({pencil(scheme)}))",
     )
     return Statement(
         "variational", limit, {"PROVED": Case("PROVED", words, show, BRACKET)}, inputs=GAINS
@@ -83,13 +49,13 @@ def _step() -> Statement:
         "M, K, C are symmetric positive definite and every solution of (20) tends to 0 at this step"
     )
     not_so = "M, K, C are symmetric positive definite and some solution of (20) does not tend to 0"
-    pencil = _pencil(SCHEME)
+    coefficients = pencil(SCHEME)
     return Statement(
         "variational",
         "step",
         {
-            "PROVED": Case("PROVED", stable, (*DEFINITE, "h > 0", f"schur({pencil})")),
-            "REFUTED": Case("REFUTED", not_so, (*DEFINITE, "h > 0", f"unstable({pencil})")),
+            "PROVED": Case("PROVED", stable, (*DEFINITE, "h > 0", f"schur({coefficients})")),
+            "REFUTED": Case("REFUTED", not_so, (*DEFINITE, "h > 0", f"unstable({coefficients})")),
         },
         inputs=GAINS | {"h": "number"},
     )
@@ -198,7 +164,7 @@ def _stability_refuted() -> Statement:
                 "these M, K, C are symmetric positive definite, h > 0, and (20) has a solution "
                 "that "
                 "does not tend to 0",
-                (*DEFINITE, "h > 0", f"unstable({_pencil(SCHEME)})"),
+                (*DEFINITE, "h > 0", f"unstable({pencil(SCHEME)})"),
             )
         },
         inputs=GAINS | {"h": "number"},
@@ -215,7 +181,7 @@ def _stability_repair() -> Statement:
                 "for all M, K, C > 0 of any size and every h > 0 with Q = 4M + 2hC - h^2 K > 0, "
                 "every "
                 "solution of (20) tends to 0",
-                (f"schur({_pencil(SCHEME)})",),
+                (f"schur({pencil(SCHEME)})",),
             )
         },
         symbols=ANY_GAINS | {"Q": "positive definite: n"},

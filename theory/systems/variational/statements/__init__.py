@@ -1,0 +1,14 @@
+"""What certificates about the variational estimator prove, in the order of the paper."""
+
+from __future__ import annotations
+
+from ....statements import Statement
+from . import continuous, discrete, framework, late, noise
+
+STATEMENTS: tuple[Statement, ...] = (
+    *framework.STATEMENTS,
+    *continuous.STATEMENTS,
+    *noise.STATEMENTS,
+    *discrete.STATEMENTS,
+    *late.STATEMENTS,
+)

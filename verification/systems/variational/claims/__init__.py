@@ -1,0 +1,17 @@
+"""How the printed claims about the variational estimator are decided."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from verification.verdict import Decision
+
+from . import continuous, discrete, framework, late, noise
+
+DECISIONS: Mapping[str, Callable[[], Decision]] = {
+    **framework.DECISIONS,
+    **continuous.DECISIONS,
+    **noise.DECISIONS,
+    **discrete.DECISIONS,
+    **late.DECISIONS,
+}
