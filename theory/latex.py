@@ -52,10 +52,8 @@ def _written(tree: Tree) -> tuple[str, int]:
             return _product(_factors(tree))
         case ("/", above, below):
             return rf"\frac{{{formula(above)}}}{{{formula(below)}}}", ATOM
-        case ("+", left, right):
-            return f"{formula(left)} + {_within(right, MULTIPLY)}", ADD
-        case ("-", left, right):
-            return f"{formula(left)} - {_within(right, MULTIPLY)}", ADD
+        case ("+" | "-" as sign, left, right):
+            return f"{formula(left)} {sign} {_within(right, MULTIPLY)}", ADD
         case ("call", str(name), *arguments):
             return _call(name, arguments)
         case (str(sign), left, right) if sign in ORDER:

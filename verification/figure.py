@@ -118,12 +118,12 @@ class Plot:
         ValueError, TypeError, KeyError
             The data are no figure.
         """
-        axes = {
-            k: Axis(**{**data[k], "ticks": tuple(data[k].get("ticks", ()))}) for k in ("x", "y")
-        }
         return cls(
-            **{k: data[k] for k in ("title", "finding", "caption")},
-            **axes,
+            title=data["title"],
+            finding=data["finding"],
+            caption=data["caption"],
+            x=Axis(**_tupled(data["x"])),
+            y=Axis(**_tupled(data["y"])),
             curves=tuple(Curve(**_tupled(entry)) for entry in data.get("curves", ())),
             areas=tuple(Area(**_tupled(entry)) for entry in data.get("areas", ())),
             dots=tuple(Dots(**_tupled(entry)) for entry in data.get("dots", ())),

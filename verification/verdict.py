@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+from .figure import Plot
+
 
 class Verdict(StrEnum):
     """What was found out about a printed statement."""
@@ -46,6 +48,8 @@ class Decision:
         File stem to certificate document.
     replay : tuple of tuple of str
         A small table (header first) that a reader can follow by hand.
+    figure : Plot, optional
+        Why it came out so, as a picture.
     """
 
     verdict: Verdict
@@ -60,3 +64,4 @@ class Decision:
     relies_on: tuple[str, ...] = ()
     certificates: Mapping[str, dict[str, Any]] = field(default_factory=dict)
     replay: tuple[tuple[str, ...], ...] = ()
+    figure: Plot | None = None

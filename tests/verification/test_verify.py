@@ -25,7 +25,7 @@ KEYS = {
     *("id", "system", "source", "title", "statement", "formula", "printed", "sharp"),
     *("printed_value", "sharp_value", "sense", "verdict", "margin", "margin_text", "reason"),
     *("repair", "repair_formula", "assumptions", "relies_on", "certificates", "replay"),
-    *("seconds", "digest"),
+    *("figure", "seconds", "digest"),
 }
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import TypeAlias
 
 VOID = {"br", "hr", "img", "input", "link", "meta", "path", "line", "circle", "rect", "use"}
 INLINE_FREE = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;"})
@@ -54,7 +55,7 @@ def _written(child: Element | Raw | str) -> str:
     return str(child) if isinstance(child, Element) else escape(child)
 
 
-Child = Element | Raw | str | None | Iterable["Element | Raw | str | None"]
+Child: TypeAlias = "Element | Raw | str | Iterable[Child] | None"
 
 
 def el(tag: str, /, *children: Child, **attributes: str | int | float | None) -> Element:
@@ -63,17 +64,18 @@ def el(tag: str, /, *children: Child, **attributes: str | int | float | None) ->
     Children may be elements, texts, None (left out) or lists of these; a trailing underscore of an
     attribute's name is dropped and other underscores become hyphens.
     """
-    flat: list[Element | Raw | str] = []
-    for child in children:
-        if child is None:
-            continue
-        if isinstance(child, (Element, Raw, str)):
-            flat.append(child)
-        else:
-            flat.extend(part for part in child if part is not None)
+    flat = tuple(_flat(children))
     pairs = tuple(
         (key.rstrip("_").replace("_", "-"), str(value))
         for key, value in attributes.items()
         if value is not None
     )
-    return Element(tag, pairs, tuple(flat))
+    return Element(tag, pairs, flat)
+
+
+def _flat(children: Iterable[Child]) -> Iterator[Element | Raw | str]:
+    for child in children:
+        if isinstance(child, (Element, Raw, str)):
+            yield child
+        elif child is not None:
+            yield from _flat(child)

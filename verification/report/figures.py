@@ -1,8 +1,7 @@
-"""Figures as inline SVG: margins, ratios, and networks with their critical cut."""
+"""Pictures of networks as inline SVG: ratios, and each network with its critical cut."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -10,31 +9,6 @@ from numpy.typing import NDArray
 
 from .dom import Element, el
 from .records import Record, digits
-
-AXIS = (-1.0, 2.0)
-"""The margin axis, in doublings of the ratio: from 1/2 to 4."""
-
-
-def margin(claim: Record) -> Element | None:
-    """Printed value against the sharp one on a logarithmic axis; left is a broken promise."""
-    printed, sharp = claim["printed_value"], claim["sharp_value"]
-    if not printed or not sharp or printed <= 0 or sharp <= 0:
-        return None
-    ratio = sharp / printed if claim["sense"] == "lower" else printed / sharp
-    octave = math.log2(ratio)
-    place = 10 + 100 * (min(max(octave, AXIS[0]), AXIS[1]) - AXIS[0]) / (AXIS[1] - AXIS[0])
-    truth = 10 + 100 * (0 - AXIS[0]) / (AXIS[1] - AXIS[0])
-    words = f"printed is {digits(ratio)} times what is needed"
-    return el(
-        "svg",
-        el("title", words),
-        el("line", x1=10, y1=9, x2=110, y2=9, class_="axis"),
-        el("line", x1=f"{truth:.1f}", y1=3, x2=f"{truth:.1f}", y2=15, class_="truth"),
-        el("circle", cx=f"{place:.1f}", cy=9, r=3.5, class_="dot"),
-        viewBox="0 0 120 18",
-        role="img",
-        class_="margin",
-    )
 
 
 def ratios(rows: Sequence[Record]) -> Element:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from .records import Findings, Record, digits, headline, lede, side_text, size_text
+from .records import NETWORK_HEAD, Findings, Record, headline, lede, network_cells, size_text
 
 SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$!])")
 
@@ -83,31 +83,8 @@ def _claim(claim: Record) -> list[str]:
 
 
 def _networks(findings: Findings) -> str:
-    head = [
-        "network",
-        "n",
-        "m",
-        "lambda\\_2",
-        "threshold",
-        "",
-        "printed",
-        "printed/sharp",
-        "critical cut",
-    ]
-    rows = [
-        [
-            escape(row["graph"]),
-            str(row["nodes"]),
-            str(row["edges"]),
-            digits(row["lambda_2"]),
-            row["threshold"],
-            digits(row["threshold_value"]),
-            digits(row["printed_value"]),
-            digits(row["ratio"]),
-            f"{row['cut_edges']} edges around {escape(side_text(row['cut'], 8))}",
-        ]
-        for row in findings.networks
-    ]
+    head = [escape(text) for text in NETWORK_HEAD]
+    rows = [[escape(cell) for cell in network_cells(row)] for row in findings.networks]
     return "\n".join(map(_row, [head, ["---"] * len(head), *rows]))
 
 

@@ -63,13 +63,13 @@ def _axes(figure: Plot, x: Scale, y: Scale) -> list[Element]:
     made = [el("path", d=f"M{LEFT} {TOP}V{BOTTOM}H{RIGHT}", class_="ax")]
     marks = []
     for value in ticks(x.axis):
-        place = f"{float(x(value)):.1f}"
-        marks.append(f"M{place} {BOTTOM}v4")
-        made.append(_text(number(value), place, BOTTOM + 19, "k", "middle"))
+        across = f"{float(x(value)):.1f}"
+        marks.append(f"M{across} {BOTTOM}v4")
+        made.append(_text(number(value), across, BOTTOM + 19, "k", "middle"))
     for value in ticks(y.axis):
-        place = float(y(value))
-        marks.append(f"M{LEFT} {place:.1f}h-4")
-        made.append(_text(number(value), LEFT - 8, f"{place + 4.5:.1f}", "k", "end"))
+        along = float(y(value))
+        marks.append(f"M{LEFT} {along:.1f}h-4")
+        made.append(_text(number(value), LEFT - 8, f"{along + 4.5:.1f}", "k", "end"))
     made.append(el("path", d="".join(marks), class_="ax"))
     made.append(_text(_named(figure.x), RIGHT, BOTTOM + 40, "al", "end"))
     made.append(_text(_named(figure.y), 4, 14, "al", "start"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -12,15 +13,26 @@ Record = dict[str, Any]
 
 VERDICTS = ("PROVED", "CORRECTED", "REFUTED", "SUPPORTED", "UNDECIDED")
 MEANINGS = {
-    "PROVED": "the printed statement holds; an exact certificate was re-validated",
-    "CORRECTED": "a counterexample replays, and a repaired statement is proved",
-    "REFUTED": "a counterexample replays; no repair is proved",
-    "SUPPORTED": "statistics or a residual-checked computation only",
-    "UNDECIDED": "neither proof nor counterexample; the stage that stopped is named",
+    "PROVED": "holds as printed; an exact certificate was re-validated",
+    "CORRECTED": "false as printed; a counterexample replays, and a repair is proved",
+    "REFUTED": "false; a counterexample replays, and no repair is proved",
+    "SUPPORTED": "rests on statistics or a checked computation, not on proof",
+    "UNDECIDED": "not decided; the stage that stopped is named",
+}
+OUTCOMES = {
+    "PROVED": ("holds as printed", "hold as printed"),
+    "CORRECTED": ("holds once corrected", "hold once corrected"),
+    "REFUTED": ("is false", "are false"),
 }
 WORDS = (
     *("no", "one", "two", "three", "four", "five", "six"),
     *("seven", "eight", "nine", "ten", "eleven", "twelve"),
+)
+PAGE_BYTES, CLAIM_BYTES, INLINE_EACH = 550_000, 3300, 4000
+"""Bytes of a page, of a claim's row and card in it, and of a certificate that it may hold."""
+NETWORK_HEAD = (
+    *("network", "n", "m", "lambda_2", "threshold", ""),
+    *("printed", "printed/sharp", "critical cut"),
 )
 
 
@@ -48,6 +60,25 @@ class Findings:
         """Number of claims of each verdict, in the order of `VERDICTS`."""
         said = [claim["verdict"] for claim in self.claims]
         return {verdict: said.count(verdict) for verdict in VERDICTS}
+
+    def document(self, certificate: str) -> Record:
+        """A certificate's content, empty if it cannot be read: the checker says so, not a page."""
+        try:
+            found = json.loads((self.folder / certificate).read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return {}
+        return found if isinstance(found, dict) else {}
+
+    @cached_property
+    def inline(self) -> frozenset[str]:
+        """Certificates that go into the page: the smallest, while it stays light."""
+        sizes = {path: self.size(path) for claim in self.claims for path in claim["certificates"]}
+        small = sorted((size, path) for path, size in sizes.items() if size and size <= INLINE_EACH)
+        room, chosen = PAGE_BYTES - CLAIM_BYTES * len(self.claims), []
+        for size, path in small:
+            room -= 4 * size // 3
+            chosen += [path] if room > 0 else []
+        return frozenset(chosen)
 
     def size(self, certificate: str) -> int | None:
         """Bytes of a certificate, None if it is not there."""
@@ -78,27 +109,29 @@ def _read(path: Path) -> Any:
 
 def count(number: int, noun: str) -> str:
     """``three claims``; digits above twelve."""
-    word = WORDS[number] if number < len(WORDS) else str(number)
-    return f"{word} {noun}" + ("" if number == 1 else "s")
+    return f"{number_word(number)} {noun}" + ("" if number == 1 else "s")
+
+
+def number_word(number: int) -> str:
+    """``three``; digits above twelve."""
+    return WORDS[number] if number < len(WORDS) else str(number)
 
 
 def headline(findings: Findings) -> str:
     """The result in one sentence."""
     counts, total = findings.counts, len(findings.claims)
-    wrong = counts["CORRECTED"] + counts["REFUTED"]
     if not total:
         return "No claim was asked for"
-    if not wrong:
-        held = counts["PROVED"]
-        if held == total:
-            return f"All {count(total, 'printed claim')} hold".replace("All one", "The one")
-        return f"{count(held, 'printed claim').capitalize()} of {total} proved, none refuted"
-    parts = [f"{counts['PROVED']} proved"] if counts["PROVED"] else []
-    parts += (
-        [f"{counts['CORRECTED']} false as printed and corrected"] if counts["CORRECTED"] else []
-    )
-    parts += [f"{counts['REFUTED']} refuted"] if counts["REFUTED"] else []
-    return f"{count(total, 'printed claim').capitalize()}: {', '.join(parts)}"
+    if counts["PROVED"] == total:
+        return f"All {count(total, 'printed claim')} hold".replace("All one", "The one")
+    parts = [
+        f"{number_word(counts[verdict])} {one if counts[verdict] == 1 else many}"
+        for verdict, (one, many) in OUTCOMES.items()
+        if counts[verdict]
+    ]
+    *most, last = parts or ["none is decided by proof"]
+    said = f"{', '.join(most)} and {last}" if most else last
+    return f"Of {count(total, 'printed claim')}, {said}"
 
 
 def lede(findings: Findings) -> str:
@@ -108,9 +141,33 @@ def lede(findings: Findings) -> str:
     text += "standard-library checker."
     if counts["UNDECIDED"]:
         text += f" {count(counts['UNDECIDED'], 'claim').capitalize()} left undecided."
+    if counts["SUPPORTED"]:
+        verb = "rests" if counts["SUPPORTED"] == 1 else "rest"
+        said = count(counts["SUPPORTED"], "claim").capitalize()
+        text += f" {said} {verb} on statistics or a checked computation, not on proof."
     if facts.get("skipped"):
         text += f" {count(len(facts['skipped']), 'check').capitalize()} skipped."
     return text
+
+
+def value_text(claim: Record, side: str) -> str:
+    """The printed or the sharp value in words, a dash where there is none."""
+    return str(claim[side] or "–")
+
+
+def network_cells(row: Record) -> list[str]:
+    """One row of the table of networks, the same in every report; see `NETWORK_HEAD`."""
+    return [
+        row["graph"],
+        str(row["nodes"]),
+        str(row["edges"]),
+        digits(row["lambda_2"]),
+        row["threshold"],
+        digits(row["threshold_value"]),
+        digits(row["printed_value"]),
+        digits(row["ratio"]),
+        f"{row['cut_edges']} edges around {side_text(row['cut'])}",
+    ]
 
 
 def digits(value: float | None) -> str:

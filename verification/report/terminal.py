@@ -10,7 +10,15 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TextIO
 
-from .records import Findings, Record, digits, headline, read_findings, side_text, size_text
+from .records import (
+    NETWORK_HEAD,
+    Findings,
+    Record,
+    headline,
+    network_cells,
+    read_findings,
+    size_text,
+)
 
 MARKS = {"PROVED": "✓", "CORRECTED": "‸", "REFUTED": "✗", "SUPPORTED": "≈", "UNDECIDED": "?"}
 PLAIN_MARKS = {"PROVED": "+", "CORRECTED": "^", "REFUTED": "x", "SUPPORTED": "~", "UNDECIDED": "?"}
@@ -64,24 +72,12 @@ def network_lines(findings: Findings, width: int) -> list[str]:
     """The table of networks, with a head."""
     if not findings.networks:
         return []
-    head = ["network", "n", "m", "threshold", "", "printed", "printed/sharp", "critical cut"]
-    rows = [
-        [
-            _clean(row["graph"]),
-            str(row["nodes"]),
-            str(row["edges"]),
-            row["threshold"],
-            digits(row["threshold_value"]),
-            digits(row["printed_value"]),
-            digits(row["ratio"]),
-            f"{row['cut_edges']} edges around {_clean(side_text(row['cut']))}",
-        ]
-        for row in findings.networks
-    ]
+    rows = [[_clean(cell) for cell in network_cells(row)] for row in findings.networks]
+    table = [[*row[:3], *row[4:]] for row in ([*NETWORK_HEAD], *rows)]
     return [
         "",
         "gain threshold of real networks, gamma = 1",
-        *_aligned(_fitted([head, *rows], width, 8)),
+        *_aligned(_fitted(table, width, 8)),
     ]
 
 

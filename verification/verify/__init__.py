@@ -147,6 +147,7 @@ def _documents(findings: Sequence[Finding]) -> dict[str, Mapping[str, Any]]:
 
 
 def _facts(selection: Selection, command: str, skipped: Sequence[str]) -> Record:
+    from theory.latex import law
     from theory.systems import SYSTEMS
 
     chosen = {claim.system for claim in selection.claims}
@@ -160,6 +161,7 @@ def _facts(selection: Selection, command: str, skipped: Sequence[str]) -> Record
                 "title": system.title,
                 "citation": system.citation,
                 "digest": system.digest,
+                "laws": [[given.equation, law(given)] for given in system.laws],
             }
             for system in SYSTEMS
             if system.name in chosen

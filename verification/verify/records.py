@@ -72,6 +72,7 @@ def claim_record(claim: Claim, decision: Decision, seconds: float, digest: str) 
         "relies_on": list(decision.relies_on),
         "certificates": [file_of(stem) for stem in decision.certificates],
         "replay": [list(row) for row in decision.replay],
+        "figure": decision.figure.to_data() if decision.figure else None,
         "seconds": round(seconds, 3),
         "digest": digest,
     }

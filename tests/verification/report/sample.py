@@ -4,6 +4,20 @@ import json
 
 VERDICTS = ("PROVED", "CORRECTED", "REFUTED", "SUPPORTED", "UNDECIDED")
 
+FIGURE = {
+    "title": "Gain against disturbance",
+    "finding": "The printed line falls below the sharp one",
+    "caption": "Below the sharp line agreement fails",
+    "x": {"label": "disturbance", "unit": "", "low": 0.0, "high": 6.0, "ticks": [3.414]},
+    "y": {"label": "gain", "unit": "c/s", "low": 0.1, "high": 10.0, "log": True},
+    "curves": [
+        {"role": "sharp", "x": [0.5, 6.0], "y": [0.5, 6.0], "label": "sharp"},
+        {"role": "printed", "x": [0.0, 6.0], "y": [1.0, 5.2], "label": "printed"},
+    ],
+    "areas": [{"role": "false", "x": [3.4, 6.0], "low": [3.4, 5.2], "high": [3.4, 6.0]}],
+    "dots": [{"role": "refuting", "x": [4.0], "y": [3.9], "label": "fails here"}],
+}
+
 
 def claim(k, **changes):
     return {
@@ -28,6 +42,7 @@ def claim(k, **changes):
         "relies_on": ["Courant-Fischer"],
         "certificates": [f"certificates/toy.claim_{k}.json"],
         "replay": [["t", "x"], ["0", "1/2"], ["1", "1/3"]],
+        "figure": FIGURE if k == 1 else None,
         "seconds": 0.25,
         "digest": "0" * 64,
     } | changes
@@ -57,7 +72,14 @@ FACTS = {
     "date": "2026-01-02",
     "python": "3.11.7",
     "command": "sensortrack verify",
-    "systems": {"toy": {"title": "A toy", "citation": "Author: On toys", "digest": "ab" * 32}},
+    "systems": {
+        "toy": {
+            "title": "A toy",
+            "citation": "Author: On toys",
+            "digest": "ab" * 32,
+            "laws": [["(1)", r"\dot{x} = -x"]],
+        }
+    },
     "checked": 5,
     "seconds": 1.25,
     "skipped": [],

@@ -1,9 +1,10 @@
 """The page, the Markdown and the terminal say the same, and nothing in them is acted upon."""
 
+import base64
 import io
 import re
 from html.parser import HTMLParser
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -65,13 +66,14 @@ def test_tags_balance_ids_are_unique_and_every_link_lands(folder):
     page = Page(built(folder)[0])
     assert len(set(page.ids)) == len(page.ids)
     for link in page.links:
-        assert link.startswith("certificates/") or link[1:] in page.ids, link
+        inside = link.startswith("data:application/json;base64,") or link[1:] in page.ids
+        assert inside or link.startswith("certificates/"), link
 
 
 def test_nothing_is_requested_from_anywhere(folder):
     html, _ = built(folder)
     assert not re.search(r"(src|href)=.(https?:)?//", html)
-    assert "url(" not in html
+    assert set(re.findall(r"url\(.", html)) <= {"url(#"}
     assert "default-src 'none'" in html.replace("&#39;", "'")
 
 
@@ -114,6 +116,35 @@ def test_two_hundred_claims_stay_light(tmp_path):
     assert len(html.encode()) < 600_000
 
 
+def test_a_certificate_goes_into_the_page_whole_or_not_at_all(tmp_path):
+    folder = write(tmp_path, [claim(k) for k in range(3)])
+    (folder / "certificates" / "toy.claim_2.json").write_text("y" * 5000)
+    html, _ = built(folder)
+    held = [base64.b64decode(text) for text in re.findall(r"base64,([^\"]*)", html)]
+    assert held == [b"x" * 1234] * 2
+    assert 'href="certificates/toy.claim_2.json"' in html
+
+
+def test_a_figure_says_what_it_shows_and_marks_the_deciding_value(folder):
+    html, _ = built(folder)
+    figure = html[html.index('<figure id="toy.claim_1-figure"') :].split("</figure>")[0]
+    for words in ("<desc", "The printed line falls below the sharp one", "3.414", "fails here"):
+        assert words in figure
+    assert figure.count('class="line ') == 2
+    assert "Below the sharp line agreement fails" in figure
+
+
+def test_headings_skip_no_level_and_landmarks_are_there(folder):
+    html, _ = built(folder)
+    levels = [
+        int(level) for level in re.findall(r"<h([1-6])", html.partition('<header class="top"')[2])
+    ]
+    assert levels.count(1) == 1
+    assert all(b - a <= 1 for a, b in pairwise(levels))
+    for landmark in ("<header", "<nav", "<main", "<footer", 'lang="en"'):
+        assert landmark in html
+
+
 def test_style_and_script_stay_small():
     assert (HERE / "page.js").stat().st_size < 4000
     assert (HERE / "page.js").stat().st_size + (HERE / "style.css").stat().st_size < 22_000
@@ -144,9 +175,12 @@ def test_records_without_networks_or_values_are_reported_as_well(tmp_path):
         (["PROVED"], "The one printed claim hold"),
         ([], "No claim"),
         (
-            ["PROVED", "CORRECTED", "REFUTED"],
-            "1 proved, 1 false as printed and corrected, 1 refuted",
+            ["PROVED", "CORRECTED", "CORRECTED", "REFUTED"],
+            "Of four printed claims, one holds as printed, two hold once corrected and one is "
+            "false",
         ),
+        (["PROVED", "UNDECIDED"], "Of two printed claims, one holds as printed"),
+        (["UNDECIDED"], "Of one printed claim, none is decided by proof"),
     ],
 )
 def test_the_headline_is_the_result(tmp_path, verdicts, words):
