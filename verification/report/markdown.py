@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from .records import NETWORK_HEAD, Findings, Record, headline, lede, network_cells, size_text
 
@@ -32,6 +33,12 @@ def _display(latex: str) -> str:
 
 def _row(cells: list[str]) -> str:
     return "| " + " | ".join(cells) + " |"
+
+
+def table_of(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table of texts from anywhere."""
+    lines = [[escape(cell) for cell in row] for row in (head, *rows)]
+    return "\n".join(map(_row, [lines[0], ["---"] * len(head), *lines[1:]]))
 
 
 def _table(findings: Findings) -> str:
@@ -83,9 +90,7 @@ def _claim(claim: Record) -> list[str]:
 
 
 def _networks(findings: Findings) -> str:
-    head = [escape(text) for text in NETWORK_HEAD]
-    rows = [[escape(cell) for cell in network_cells(row)] for row in findings.networks]
-    return "\n".join(map(_row, [head, ["---"] * len(head), *rows]))
+    return table_of(NETWORK_HEAD, list(map(network_cells, findings.networks)))
 
 
 def _facts(findings: Findings) -> str:

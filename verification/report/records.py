@@ -103,6 +103,23 @@ def read_findings(folder: Path) -> Findings:
     )
 
 
+RUN_FORMAT = "sensortrack-run/1"
+
+
+def read_run(folder: Path) -> Record:
+    """Read ``run.json`` of a folder.
+
+    Raises
+    ------
+    OSError, ValueError
+        The file is missing or no run.
+    """
+    run = _read(folder / "run.json")
+    if not isinstance(run, dict) or run.get("format") != RUN_FORMAT:
+        raise ValueError(f"run.json: the format is not {RUN_FORMAT}")
+    return run
+
+
 def _read(path: Path) -> Any:
     return json.loads(path.read_text(encoding="utf-8"))
 
