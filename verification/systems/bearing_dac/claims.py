@@ -9,6 +9,7 @@ from verification.certificates.make import certificate
 from verification.verdict import Decision, Verdict
 
 from .counterexamples import Counterexample, gain_counterexamples, time_counterexamples
+from .figures import error_over_time, gain_plane
 from .lemmas import LEMMA_DECISIONS
 
 LARGEST_GAIN = 4
@@ -42,6 +43,7 @@ def theorem_1_gain() -> Decision:
         relies_on=tuple(repaired["relies_on"]),
         certificates=_files("bearing_dac.theorem_1_gain", found, repaired),
         replay=_table(found, "threshold"),
+        figure=gain_plane(first),
     )
 
 
@@ -74,6 +76,7 @@ def theorem_1_time() -> Decision:
         relies_on=tuple(repaired["relies_on"]),
         certificates=_files("bearing_dac.theorem_1_time", found, repaired),
         replay=_table(found, "settling time"),
+        figure=error_over_time(last),
     )
 
 
