@@ -53,9 +53,9 @@ def rows_of(value):
     return rows
 
 def summed(matrices):
-    return [[sum(entries) for entries in zip(*rows)] for rows in zip(*matrices)]
+    return matrices[0] if len(matrices) == 1 else [[sum(x[1:], x[0]) for x in zip(*rows)] for rows in zip(*matrices)]
 def mixed(factors, matrices):
-    return summed([[[c * entry for entry in row] for row in rows] for c, rows in zip(factors, matrices)])
+    return summed([m if c == 1 else [[c * x for x in row] for row in m] for c, m in zip(factors, matrices)])
 def product(a, b):
     return [[sum(map(operator.mul, row, column)) for column in zip(*b)] for row in a]
 
