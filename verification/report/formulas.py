@@ -47,7 +47,10 @@ def formula(latex: str, display: bool = True) -> Element | None:
 
 def _rebuilt(node: Xml) -> Element:
     name = node.tag.split("}")[-1]
-    children: list[Element | str] = [node.text] if node.text and node.text.strip() else []
+    text = node.text or ""
+    if name == "mtext":  # spaces at the ends of words would be dropped
+        text = text.replace(" ", "\u00a0")
+    children: list[Element | str] = [text] if text.strip(" \n") else []
     children.extend(_rebuilt(child) for child in node)
     attributes = tuple((k, v) for k, v in node.attrib.items() if k in ATTRIBUTES)
     return Element(name if name in ALLOWED else "mrow", attributes, tuple(children))
