@@ -18,6 +18,7 @@ from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows
 from verification.verdict import Decision, Verdict
 
+from ..figures import energy_over_time, radius_over_step
 from ..steps import at_minus_one, step_limit
 from .witnesses import derivation
 
@@ -109,6 +110,7 @@ def discrete_energy() -> Decision:
             "variational.discrete_energy_repair": repaired,
         },
         replay=table,
+        figure=energy_over_time(),
     )
 
 
@@ -174,6 +176,7 @@ def discrete_stability() -> Decision:
             "variational.discrete_stability_repair": repaired,
             "variational.discrete_stability_limit": answer.certificate,
         },
+        figure=radius_over_step(float(answer.value)),
     )
 
 
