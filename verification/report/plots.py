@@ -126,7 +126,7 @@ def _labels(figure: Plot, x: Scale, y: Scale) -> list[Element]:
     ]
     placed: list[Element] = []
     taken: list[tuple[float, float]] = []
-    for across, along, label, role in sorted(wanted, key=lambda w: w[1]):
+    for across, along, label, role in sorted(wanted, key=lambda w: -w[1]):
         height = _free(along, across, taken)
         taken.append((across, height))
         placed += _haloed(label, across, height, role, "end")
@@ -153,10 +153,10 @@ def _end(curve: Curve, x: Scale, y: Scale) -> tuple[float, float]:
 
 
 def _free(along: float, across: float, taken: Iterable[tuple[float, float]]) -> float:
-    """The wanted height, or the next below it that is free."""
-    for other, height in sorted(taken, key=lambda place: place[1]):
+    """The wanted height, or the next above it that is free."""
+    for other, height in sorted(taken, key=lambda place: -place[1]):
         if abs(other - across) < 140 and abs(height - along) < APART:
-            along = height + APART
+            along = height - APART
     return along
 
 
