@@ -117,3 +117,31 @@ class Claim:
     def assumptions(self) -> tuple[str, ...]:
         """The hypotheses as text, each with its label."""
         return tuple(str(assumption) for assumption in self.assumes)
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A printed statement that the text leaves too open to be true or false.
+
+    Parameters
+    ----------
+    source : str
+        Author and number of the section, figure or equation.
+    statement : str
+        What is said, in our words.
+    missing : str
+        What the text would have to say so that the statement could be decided.
+
+    Raises
+    ------
+    ValueError
+        A field is malformed.
+    """
+
+    source: str
+    statement: str
+    missing: str
+
+    def __post_init__(self) -> None:
+        for what in ("source", "statement", "missing"):
+            _sentence(getattr(self, what), what, f"gap, {self.source}")

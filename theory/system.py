@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from .claims import Assumption, Claim
+from .claims import Assumption, Claim, Gap
 from .expressions import canonical, check_comparison, names
 from .kinds import FormulaError, Kind
 from .symbols import DOMAINS, FRAMES, Guard, Law, Parameter, Signal, need
@@ -35,6 +35,8 @@ class System:
         Sizes that are left open, with their meaning.
     units : mapping of str to str, optional
         Units that are left open, with their meaning.
+    gaps : tuple of Gap, optional
+        Printed statements that the text does not determine, so that they are no claims.
 
     Raises
     ------
@@ -53,6 +55,7 @@ class System:
     claims: tuple[Claim, ...]
     dimensions: Mapping[str, str] = field(default_factory=dict)
     units: Mapping[str, str] = field(default_factory=dict)
+    gaps: tuple[Gap, ...] = ()
 
     def __post_init__(self) -> None:
         need(self.name.isidentifier(), repr(self.name), "an identifier is needed as a name")

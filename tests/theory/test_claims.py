@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from theory.claims import SENSES, Assumption, Claim
+from theory.claims import SENSES, Assumption, Claim, Gap
 
 GIVEN = Assumption("A1", "the gains are positive")
 CLAIM = Claim(
@@ -62,3 +62,10 @@ def test_a_malformed_claim_is_refused_by_name(change: dict[str, object], what: s
 def test_a_malformed_assumption_is_refused(label: str, text: str) -> None:
     with pytest.raises(ValueError, match="assumption"):
         Assumption(label, text)
+
+
+def test_a_gap_says_what_is_missing():
+    gap = Gap("Author, Figure 2", "the error is small", "the noise and the gains")
+    assert gap.missing == "the noise and the gains"
+    with pytest.raises(ValueError, match="missing"):
+        Gap("Author, Figure 2", "the error is small", "")

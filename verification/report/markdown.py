@@ -5,7 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from .records import NETWORK_HEAD, Findings, Record, headline, lede, network_cells, size_text
+from .records import (
+    GAP_HEAD,
+    NETWORK_HEAD,
+    Findings,
+    Record,
+    headline,
+    lede,
+    network_cells,
+    size_text,
+)
 
 SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$!])")
 
@@ -15,6 +24,9 @@ def markdown(findings: Findings) -> str:
     parts = [f"# {escape(headline(findings))}", escape(lede(findings)), _table(findings)]
     for claim in findings.claims:
         parts += _claim(claim)
+    gaps = [row for system in findings.facts["systems"].values() for row in system.get("gaps", [])]
+    if gaps:
+        parts += ["## What the text leaves open", table_of(GAP_HEAD, gaps)]
     if findings.networks:
         parts += ["## Gain threshold of real networks", _networks(findings)]
     parts.append(_facts(findings))

@@ -30,6 +30,7 @@ WORDS = (
 )
 PAGE_BYTES, CLAIM_BYTES, INLINE_EACH = 550_000, 3300, 4000
 """Bytes of a page, of a claim's row and card in it, and of a certificate that it may hold."""
+GAP_HEAD = ("source", "what is said", "what is missing to decide it")
 NETWORK_HEAD = (
     *("network", "n", "m", "lambda_2", "threshold", ""),
     *("printed", "printed/sharp", "critical cut"),
@@ -162,6 +163,9 @@ def lede(findings: Findings) -> str:
         verb = "rests" if counts["SUPPORTED"] == 1 else "rest"
         said = count(counts["SUPPORTED"], "claim").capitalize()
         text += f" {said} {verb} on statistics or a checked computation, not on proof."
+    gaps = sum(len(system.get("gaps", [])) for system in facts["systems"].values())
+    if gaps:
+        text += f" {count(gaps, 'printed statement').capitalize()} left open by the text."
     if facts.get("skipped"):
         text += f" {count(len(facts['skipped']), 'check').capitalize()} skipped."
     return text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from .cards import card
 from .dom import Element, el
 from .formulas import formula
-from .records import Findings, Record
+from .records import GAP_HEAD, Findings, Record
 
 
 def section(name: str, findings: Findings) -> Element:
@@ -21,6 +21,7 @@ def section(name: str, findings: Findings) -> Element:
         ),
         el("div", _laws(name, system), _assumptions(name, claims), class_="model"),
         [card(claim, findings) for claim in claims],
+        _gaps(name, system),
         id=name,
         class_="sys",
     )
@@ -54,6 +55,25 @@ def _assumptions(name: str, claims: list[Record]) -> Element | None:
         for label, words in sorted(found.items(), key=lambda entry: _order(entry[0]))
     ]
     return el("div", el("h3", "Assumptions"), el("ul", items, class_="as"))
+
+
+def _gaps(name: str, system: Record) -> Element | None:
+    """What is printed and cannot be decided, with what is missing."""
+    rows = [
+        el("tr", el("th", source, scope="row"), el("td", statement), el("td", missing))
+        for source, statement, missing in system.get("gaps", [])
+    ]
+    if not rows:
+        return None
+    head = el("tr", [el("th", text, scope="col") for text in GAP_HEAD])
+    table = el("table", el("thead", head), el("tbody", rows))
+    return el(
+        "div",
+        el("h3", "What the text leaves open"),
+        el("div", table, class_="scroll"),
+        class_="card",
+        id=f"{name}-gaps",
+    )
 
 
 def _order(label: str) -> tuple[str, int]:

@@ -162,6 +162,7 @@ def _facts(selection: Selection, command: str, skipped: Sequence[str]) -> Record
                 "citation": system.citation,
                 "digest": system.digest,
                 "laws": [[given.equation, law(given)] for given in system.laws],
+                "gaps": [[gap.source, gap.statement, gap.missing] for gap in system.gaps],
             }
             for system in SYSTEMS
             if system.name in chosen

@@ -78,6 +78,7 @@ FACTS = {
             "citation": "Author: On toys",
             "digest": "ab" * 32,
             "laws": [["(1)", r"\dot{x} = -x"]],
+            "gaps": [["Author, Figure 2", "the error is small", "how small"]],
         }
     },
     "checked": 5,

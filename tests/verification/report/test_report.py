@@ -134,6 +134,12 @@ def test_a_figure_says_what_it_shows_and_marks_the_deciding_value(folder):
     assert "Below the sharp line agreement fails" in figure
 
 
+def test_what_the_text_leaves_open_is_listed_with_what_is_missing(folder):
+    for report in built(folder):
+        for words in ("the error is small", "how small", "left open by the text"):
+            assert words in report
+
+
 def test_headings_skip_no_level_and_landmarks_are_there(folder):
     html, _ = built(folder)
     levels = [

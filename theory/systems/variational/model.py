@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from ...system import Guard, Law, Parameter, Signal, System
 from .claims import CLAIMS
+from .gaps import GAPS
 
 SIGNALS = (
     Signal("b", (3,), "m", "inertial", "position of the target"),
@@ -72,4 +73,5 @@ SYSTEM = System(
     laws=LAWS,
     guards=GUARDS,
     claims=CLAIMS,
+    gaps=GAPS,
 )
