@@ -82,8 +82,15 @@ def given_network(
     if all(entry.kind != "graph" for entry in inputs):
         takes = ", ".join(entry.name for entry in inputs)
         raise InputError("graph", "given", f"{question} takes {takes}")
+    from sensortrack.data import load_network, real_networks
     from sensortrack.networks import read_network
 
+    if options.graph in real_networks():
+        for option in ("graph_name", "weight"):
+            if getattr(options, option) is not None:
+                found = f"given with the shipped network {options.graph}"
+                raise InputError(f"--{option.replace('_', '-')}", found, "a file has it")
+        return load_network(options.graph)
     return read_network(options.graph, name=options.graph_name, weight=options.weight)
 
 

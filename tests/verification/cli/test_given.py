@@ -157,6 +157,12 @@ def test_a_graph_of_a_file_is_chosen_by_name_and_weight(total, tmp_path):
     assert line.startswith("weight: ")
 
 
+def test_a_shipped_network_is_known_by_its_name(total):
+    assert inputs(total("--graph", "sndlib_polska"))["graph"] == "sndlib_polska"
+    line = refused(total("--graph", "sndlib_polska", "--weight", "km"))
+    assert line.startswith("--weight: given with the shipped network sndlib_polska;")
+
+
 def test_graph_options_without_use_are_refused(trace, total):
     line = refused(trace("--graph", "path:3"))
     assert line == "graph: given; toy.trace takes M, K"
