@@ -105,6 +105,10 @@ def _dominant(product: Any) -> bool:
     return all(2 * row[i] > sum(abs(x) for x in row) for i, row in enumerate(product.tolist()))
 
 
+ENTRIES = 4
+"""Entries a coefficient, from which a combination is guessed before all entries are compared."""
+
+
 def combination(
     rows: Sequence[Sequence[Fraction]], proved: Mapping[int, Sequence[Sequence[Fraction]]]
 ) -> list[tuple[int, Fraction]]:
@@ -123,17 +127,29 @@ def combination(
         Empty if there is no such sum.
     """
     same = {k: m for k, m in proved.items() if len(m) == len(rows)}
-    coefficients = _solved(
-        [
-            [m[i][j] for m in same.values()] + [rows[i][j]]
-            for i in range(len(rows))
-            for j in range(i + 1)
-        ],
-        len(same),
+    entries = [(i, j) for i in range(len(rows)) for j in range(i + 1)]
+    few = entries[:: max(1, len(entries) // (ENTRIES * len(same) + 1))]
+    for places in (few, entries):  # a few entries nearly always fix the coefficients
+        equations = [[m[i][j] for m in same.values()] + [rows[i][j]] for i, j in places]
+        coefficients = _solved(equations, len(same))
+        if coefficients is None or any(c < 0 for c in coefficients) or not any(coefficients):
+            return []
+        found = [(k, c) for k, c in zip(same, coefficients, strict=True) if c]
+        if _adds_up(rows, [(c, same[k]) for k, c in found]):
+            return found
+    return []
+
+
+def _adds_up(
+    rows: Sequence[Sequence[Fraction]],
+    parts: Sequence[tuple[Fraction, Sequence[Sequence[Fraction]]]],
+) -> bool:
+    """Tell whether the matrix is this sum."""
+    return all(
+        row[j] == sum((c * m[i][j] for c, m in parts), Fraction(0))
+        for i, row in enumerate(rows)
+        for j in range(i + 1)
     )
-    if coefficients is None or any(c < 0 for c in coefficients) or not any(coefficients):
-        return []
-    return [(k, c) for k, c in zip(same, coefficients, strict=True) if c]
 
 
 def _solved(equations: list[list[Fraction]], unknowns: int) -> list[Fraction] | None:
