@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from verification.answers import Condition, Input, Quantity
 
+from .noise_gains import noise_gain, peak_gain
 from .numbers import energy_ratio, spectral_radius
 from .steps import decide_step, leapfrog_step_limit, step_limit
 
@@ -30,6 +31,16 @@ QUANTITIES = (
         (*GAINS, STEP),
         energy_ratio,
         False,
+    ),
+    Quantity(
+        "noise_gain",
+        "stationary traces [cov e from unit white chi, from unit white nu, velocity error from nu]",
+        (*GAINS, STEP),
+        noise_gain,
+        False,
+    ),
+    Quantity(
+        "peak_gain", "H-infinity norms of the same three maps", (*GAINS, STEP), peak_gain, False
     ),
 )
 
