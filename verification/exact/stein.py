@@ -20,6 +20,7 @@ from fractions import Fraction
 from typing import Any
 
 from .definite import as_rows, congruence, negative_vector
+from .evaluate import Rows
 from .modes import Modes, rows_of
 
 
@@ -57,6 +58,47 @@ def proves_above(e: Any, f: Any, modes: Modes, r: Fraction) -> bool:
     if -1 not in signs or not proved_definite(_decrease(e, f, modes, form, r)):
         return False
     return negative_vector(rows_of(form)) is not None
+
+
+def decaying_form(e: Any, f: Any, modes: Modes) -> Rows | None:
+    """Q > 0 with E'QE - F'QF > 0, which proves that every solution of E z+ = F z tends to 0.
+
+    Parameters
+    ----------
+    e, f : flint.fmpz_mat
+        Square, of one size.
+    modes : Modes
+        Candidates.
+
+    Returns
+    -------
+    Rows or None
+        None if the candidates prove nothing.
+    """
+    if not proves_below(e, f, modes, Fraction(1)):
+        return None
+    return _spread(_form(modes, [1] * len(modes.moduli)), modes)
+
+
+def staying_form(e: Any, f: Any, modes: Modes) -> tuple[Rows, tuple[int, ...]] | None:
+    """Q with E'QE - F'QF > 0 and x with x'Qx <= 0: some solution does not tend to 0.
+
+    Parameters and the case None are those of `decaying_form`; E must not be singular.
+    """
+    if not proves_above(e, f, modes, Fraction(1)):
+        return None
+    signs = [-1 if modulus > 1 else 1 for modulus in modes.moduli]
+    form = _spread(_form(modes, signs), modes)
+    x = negative_vector(form)
+    return (form, x) if x else None
+
+
+def _spread(form: Any, modes: Modes) -> Rows:
+    """The form with the column shifts put in."""
+    return tuple(
+        tuple(Fraction(int(x) << (a + b)) for x, b in zip(row, modes.shifts, strict=True))
+        for row, a in zip(form.tolist(), modes.shifts, strict=True)
+    )
 
 
 def proved_definite(matrix: Any) -> bool:

@@ -5,7 +5,9 @@ import importlib
 from fractions import Fraction
 
 from theory.systems.bearing_dac import lemma_statements
+from theory.systems.variational.statements.late import MOST_DELAY
 from verification.certificates.make import certificate, statements
+from verification.systems.variational.delays import delay_step_limit
 
 PAIR = {"nodes": ["a", "b"], "edges": [[0, 1]]}
 PATH = {"nodes": ["a", "b", "c"], "edges": [[0, 1], [1, 2]], "weights": ["1", "1/2"]}
@@ -166,9 +168,16 @@ def samples():
     made = {}
     for name, inputs, witness, options in EXPLICIT:
         made[f"{name} {len(made)}"] = certificate(*name.split("."), inputs, witness, **options)
-    for name in sorted({*statements()} - {entry[0] for entry in EXPLICIT}):
+    made |= {f"variational.delay_step_limit {d}": late(d) for d in range(MOST_DELAY + 1)}
+    for name in sorted({*statements()} - {key.split()[0] for key in made}):
         made |= {f"{name} decided": entry for entry in decided(name)}
     return made
+
+
+def late(d):
+    """Step limit with the position error d samples late."""
+    gains = dict.fromkeys("MKC", ((Fraction(1),),))
+    return delay_step_limit(gains | {"d": Fraction(d)}).certificate
 
 
 def decided(name):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from verification.answers import Condition, Input, Quantity
 
+from .delays import delay_step_limit
 from .noise_gains import noise_gain, peak_gain
 from .numbers import energy_ratio, spectral_radius
 from .steps import decide_step, leapfrog_step_limit, step_limit
@@ -14,6 +15,7 @@ GAINS = (
     Input("C", "matrix", "damping gain, symmetric positive definite", "kg/s"),
 )
 STEP = Input("h", "number", "sampling period, above 0", "s")
+DELAY = Input("d", "number", "samples by which the position error is late, a whole number")
 
 QUANTITIES = (
     Quantity("step_limit", "supremum of h with (20) Schur stable", GAINS, step_limit, True),
@@ -38,6 +40,13 @@ QUANTITIES = (
         (*GAINS, STEP),
         noise_gain,
         False,
+    ),
+    Quantity(
+        "delay_step_limit",
+        "step limit when the position error is used d samples late",
+        (*GAINS, DELAY),
+        delay_step_limit,
+        True,
     ),
     Quantity(
         "peak_gain", "H-infinity norms of the same three maps", (*GAINS, STEP), peak_gain, False
