@@ -1,0 +1,1 @@
+"""From laws to numeric source: scalar lines once, printed for each language."""

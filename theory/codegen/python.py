@@ -1,0 +1,79 @@
+"""Printers for Python: plain floats, and the same lines on NumPy lanes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from .lower import Lowered
+from .printing import Source, decimal, heading, text
+
+WIDTH = 96
+
+
+def python(source: Source) -> str:
+    """Module on floats: no import but the future; a call is a few hundred operations."""
+    return _module(source, [], _tuple_of)
+
+
+def numpy(source: Source) -> str:
+    """Module on arrays whose first axis is the component and whose other axes are lanes."""
+    return _module(source, ["import numpy as np", ""], _stack_of)
+
+
+def _module(source: Source, imports: list[str], ending: object) -> str:
+    assert callable(ending)
+    lines = ['"""' + heading(source)[0], *heading(source)[1:], '"""', ""]
+    lines += ["from __future__ import annotations", "", *imports]
+    lines += [f'SYSTEM = "{source.stepper.system}"', f'DIGEST = "{source.digest}"']
+    for group in source.stepper.groups:
+        lines += _constant(
+            group.upper(), (f'("{n}", "{unit}")' for n, unit in source.layout(group))
+        )
+    lines += _constant("GUARDS", (f'"{guard}"' for guard in source.stepper.guards))
+    lines += ["OPERATIONS = {"]
+    lines += [f'    "{name}": {count},' for name, count in source.operations.items()] + ["}"]
+    for function in source.functions:
+        lines += ["", "", *_function(source, function, ending)]
+    return "\n".join(lines) + "\n"
+
+
+def _constant(name: str, parts: Iterable[str]) -> list[str]:
+    return [f"{name} = (", *(f"    {part}," for part in parts), ")"]
+
+
+def arguments(source: Source, function: Lowered) -> list[str]:
+    """Argument groups that hold numbers; the input is called so, because input is a builtin."""
+    return [group for group in function.program.groups if source.layout(group)]
+
+
+def _function(source: Source, function: Lowered, ending: object) -> list[str]:
+    assert callable(ending)
+    groups = arguments(source, function)
+    lines = [f"def {function.program.name}({', '.join(f'{group}_' for group in groups)}):"]
+    lines.append(f'    """{function.program.about}"""')
+    for group in groups:
+        names = [name for name, _ in source.layout(group)]
+        lines += _wrapped(f"({', '.join(names)},) = {group}_", "    ")
+    for line in function.lines:
+        lines += [f"    # {line.heading}"] if line.heading else []
+        lines.append(f"    {line.name} = {text(function, line.expr, decimal, own=True)}")
+    lines += ending([text(function, result, decimal) for result in function.results])
+    return lines
+
+
+def _tuple_of(results: list[str]) -> list[str]:
+    return ["    return (", *(f"        {result}," for result in results), "    )"]
+
+
+def _stack_of(results: list[str]) -> list[str]:
+    rows = [f"        {result}," for result in results]
+    return ["    return np.stack(np.broadcast_arrays(", *rows, "    ))"]
+
+
+def _wrapped(statement: str, indent: str) -> list[str]:
+    """One assignment from a tuple, on several lines if it is long."""
+    if len(indent + statement) <= WIDTH:
+        return [indent + statement]
+    names, _, value = statement.partition(" = ")
+    inner = names.strip("(),").split(", ")
+    return [f"{indent}(", *(f"{indent}    {name}," for name in inner), f"{indent}) = {value}"]

@@ -1,0 +1,102 @@
+"""What is generated for a system: which laws, in which order, on which data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ..expressions import Tree
+
+
+@dataclass(frozen=True)
+class Slot:
+    """One named piece of data: a scalar, a vector, or a symmetric matrix kept as a triangle.
+
+    Parameters
+    ----------
+    name : str
+        As in the laws.
+    shape : tuple of str or int
+        ``()``, ``("n",)`` or ``("n", "n")``; n is chosen when source is generated.
+    unit : str
+    meaning : str
+    """
+
+    name: str
+    shape: tuple[str, ...]
+    unit: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """One law as a computation.
+
+    Parameters
+    ----------
+    target : str
+        What is computed; ``next(x)`` is the value one sample later.
+    tree : tuple
+        The right side.
+    source : str
+        Equation number, for the comment line.
+    factor : tuple or None
+        If the law is ``factor * target = tree``: the symmetric positive definite matrix, which is
+        factored without square roots.
+    """
+
+    target: str
+    tree: Tree
+    source: str
+    factor: Tree | None = None
+
+
+@dataclass(frozen=True)
+class Program:
+    """One function: groups of data in, some of them out.
+
+    Parameters
+    ----------
+    name : str
+    groups : tuple of str
+        Argument groups, in order.
+    assignments : tuple of Assignment
+    results : mapping of str to str
+        Slot of the state to the target that it becomes.
+    about : str
+        One line for the source.
+    """
+
+    name: str
+    groups: tuple[str, ...]
+    assignments: tuple[Assignment, ...]
+    results: Mapping[str, str]
+    about: str
+
+
+@dataclass(frozen=True)
+class Stepper:
+    """Everything that is generated for one system.
+
+    Parameters
+    ----------
+    system : str
+    title : str
+    groups : mapping of str to tuple of Slot
+        ``context`` (gains and step), ``state``, ``input`` (at the new sample), ``start``.
+    sums : mapping of str to str
+        Sums over the sensors, by the text of their tree, to the input that stands for them.
+    programs : tuple of Program
+    guards : tuple of str
+        What is assumed so that no division fails, with the reason.
+    coordinates : int
+        The n of the committed source.
+    """
+
+    system: str
+    title: str
+    groups: Mapping[str, tuple[Slot, ...]]
+    sums: Mapping[str, str]
+    programs: tuple[Program, ...]
+    guards: tuple[str, ...]
+    coordinates: int
