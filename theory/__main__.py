@@ -9,6 +9,8 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
+from difflib import unified_diff
+from itertools import islice
 from pathlib import Path
 
 from .notation import render
@@ -17,6 +19,9 @@ from .systems import STATEMENTS, SYSTEMS
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 TARGET = "verification/certificates/statements.json"
+SOURCES = "sensortrack/generated"
+SHOWN = 30
+"""Lines of a difference that are shown."""
 
 
 def statements_text() -> str:
@@ -27,6 +32,21 @@ def statements_text() -> str:
     return json.dumps(entries, indent=1, sort_keys=True, ensure_ascii=True) + "\n"
 
 
+def generated_files() -> dict[str, str]:
+    """Every generated file, by its path below the root of a checkout."""
+    from importlib import import_module
+
+    from .codegen.emit import STEPPERS, committed
+    from .codegen.printing import source_of
+
+    made = {TARGET: statements_text()}
+    for name in STEPPERS:
+        stepper = import_module(f"theory.systems.{name}.stepper").STEPPER
+        texts = committed(source_of(stepper))
+        made |= {f"{SOURCES}/{file}": text for file, text in texts.items()}
+    return made
+
+
 def generate(root: Path, check: bool) -> int:
     """Write the generated files below ``root``, or compare them.
 
@@ -35,16 +55,25 @@ def generate(root: Path, check: bool) -> int:
     int
         0 if they are up to date afterwards, 1 if a comparison found a difference.
     """
-    path, text = root / TARGET, statements_text()
+    return max(_one(root, name, text, check) for name, text in generated_files().items())
+
+
+def _one(root: Path, name: str, text: str, check: bool) -> int:
+    path = root / name
     current = path.read_text(encoding="utf-8") if path.exists() else None
     if current == text:
-        print(f"{TARGET}: up to date")
+        print(f"{name}: up to date")
         return 0
     if check:
-        print(f"{TARGET}: differs from theory; run 'make generate'")
+        print(f"{name}: differs from theory; run 'make generate'")
+        old, new = (current or "").splitlines(), text.splitlines()
+        changes = unified_diff(old, new, "committed", "generated", lineterm="", n=1)
+        shown = islice(changes, SHOWN)
+        print("\n".join(line[:120] for line in shown))
         return 1
+    path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
-    print(f"{TARGET}: written")
+    print(f"{name}: written")
     return 0
 
 

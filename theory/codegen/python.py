@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 
 from .lower import Lowered
 from .printing import Source, decimal, heading, text
@@ -10,20 +11,40 @@ from .printing import Source, decimal, heading, text
 WIDTH = 96
 
 
+Ending = Callable[[list[str]], list[str]]
+"""Writes the return statement from the results."""
+
+
+@dataclass(frozen=True)
+class Style:
+    """Imports and annotations of a module."""
+
+    imports: tuple[str, ...]
+    argument: str
+    result: str
+
+
+PLAIN = Style(("from collections.abc import Sequence", ""), "Sequence[float]", "tuple[float, ...]")
+LANES = Style(
+    ("import numpy as np", "from numpy.typing import ArrayLike, NDArray", ""),
+    "ArrayLike",
+    "NDArray[np.float64]",
+)
+
+
 def python(source: Source) -> str:
     """Module on floats: no import but the future; a call is a few hundred operations."""
-    return _module(source, [], _tuple_of)
+    return _module(source, PLAIN, _tuple_of)
 
 
 def numpy(source: Source) -> str:
     """Module on arrays whose first axis is the component and whose other axes are lanes."""
-    return _module(source, ["import numpy as np", ""], _stack_of)
+    return _module(source, LANES, _stack_of)
 
 
-def _module(source: Source, imports: list[str], ending: object) -> str:
-    assert callable(ending)
+def _module(source: Source, style: Style, ending: Ending) -> str:
     lines = ['"""' + heading(source)[0], *heading(source)[1:], '"""', ""]
-    lines += ["from __future__ import annotations", "", *imports]
+    lines += ["from __future__ import annotations", "", *style.imports]
     lines += [f'SYSTEM = "{source.stepper.system}"', f'DIGEST = "{source.digest}"']
     for group in source.stepper.groups:
         lines += _constant(
@@ -33,7 +54,7 @@ def _module(source: Source, imports: list[str], ending: object) -> str:
     lines += ["OPERATIONS = {"]
     lines += [f'    "{name}": {count},' for name, count in source.operations.items()] + ["}"]
     for function in source.functions:
-        lines += ["", "", *_function(source, function, ending)]
+        lines += ["", "", *_function(source, function, style, ending)]
     return "\n".join(lines) + "\n"
 
 
@@ -46,14 +67,15 @@ def arguments(source: Source, function: Lowered) -> list[str]:
     return [group for group in function.program.groups if source.layout(group)]
 
 
-def _function(source: Source, function: Lowered, ending: object) -> list[str]:
-    assert callable(ending)
+def _function(source: Source, function: Lowered, style: Style, ending: Ending) -> list[str]:
     groups = arguments(source, function)
-    lines = [f"def {function.program.name}({', '.join(f'{group}_' for group in groups)}):"]
-    lines.append(f'    """{function.program.about}"""')
+    given = ", ".join(f"{group}_: {style.argument}" for group in groups)
+    lines = [f"def {function.program.name}({given}) -> {style.result}:"]
+    lines.append(f'    """{function.program.about}."""')
     for group in groups:
         names = [name for name, _ in source.layout(group)]
-        lines += _wrapped(f"({', '.join(names)},) = {group}_", "    ")
+        value = f"np.asarray({group}_, dtype=float)" if style is LANES else f"{group}_"
+        lines += _wrapped(f"({', '.join(names)},) = {value}", "    ")
     for line in function.lines:
         lines += [f"    # {line.heading}"] if line.heading else []
         lines.append(f"    {line.name} = {text(function, line.expr, decimal, own=True)}")

@@ -37,7 +37,7 @@ def definite_gains(values: Mapping[str, Any]) -> dict[str, Rows]:
             raise InputError(
                 name, f"{len(rows)} x {len(rows)}", f"the size of M, {len(gains['M'])}, is needed"
             )
-        _check(name, rows)
+        definite_gain(name, rows)
     return gains
 
 
@@ -55,7 +55,21 @@ def positive_step(values: Mapping[str, Any]) -> Fraction:
     return h
 
 
-def _check(name: str, rows: Rows) -> None:
+def definite_gain(name: str, rows: Rows) -> None:
+    """Refuse a matrix that is not symmetric positive definite.
+
+    Parameters
+    ----------
+    name : str
+        Of the input.
+    rows : Rows
+        Square, exact.
+
+    Raises
+    ------
+    InputError
+        Two unlike entries are named, or a vector x with x'Ax <= 0 is given.
+    """
     pair = asymmetry(rows)
     if pair:
         i, j = pair

@@ -1,0 +1,1 @@
+"""Numeric steppers, generated from theory; never edited by hand."""

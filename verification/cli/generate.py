@@ -1,0 +1,88 @@
+"""``sensortrack generate``: numeric source to drop into a project, with its self-test."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from sensortrack.errors import InputError
+from verification.files import write_text
+from verification.input_kinds import brief, nearest
+from verification.inputs import read_inputs
+
+from . import given
+
+TESTS = {"c": "make test", "python": "python selftest.py"}
+TARGETS = ("python", "numpy", "c", "casadi")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the command's arguments."""
+    parser.add_argument("system", metavar="SYSTEM")
+    parser.add_argument("--target", required=True, choices=TARGETS, help="language of the source")
+    parser.add_argument("--out", required=True, metavar="DIR", help="a new or empty folder")
+    parser.add_argument(
+        "--coordinates", type=int, metavar="N", help="size of vectors; that of the gains by default"
+    )
+    parser.epilog = "inputs given become constants of the source, the others arguments of step"
+    given.add_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write the folder; 0."""
+    from theory.codegen.emit import files
+    from theory.codegen.printing import source_of
+
+    room = _room(options.system)
+    folder = Path(options.out)
+    _require_folder(folder)
+    n, constants, note = room.constants(_values(options, room), options.coordinates)
+    texts = files(source_of(room.STEPPER, n, constants), options.target)
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in texts.items():
+        write_text(folder / name, text)
+    print(f"{options.system}, {n} coordinates, target {options.target}: {folder}")
+    print(f"  constants  {', '.join(constants) or 'none'}")
+    print(f"  files      {', '.join(texts)}")
+    print(f"  self-test  cd {folder} && {TESTS.get(options.target, 'python selftest.py')}")
+    if note:
+        print(f"sensortrack: note: {note}", file=sys.stderr)
+    return 0
+
+
+def _room(system: str) -> Any:
+    """The module that knows the system's stepper and its constants."""
+    from importlib import import_module
+
+    from theory.codegen.emit import STEPPERS
+
+    if system not in STEPPERS:
+        hint = nearest(system, STEPPERS) or f"one of {', '.join(STEPPERS)} is needed"
+        raise InputError(brief(system), "no system with generated source", hint)
+    return import_module(f"verification.systems.{system}.generating")
+
+
+def _values(options: argparse.Namespace, room: Any) -> dict[str, Any]:
+    """The inputs that were given, checked one by one."""
+    values = given.given_values(options)
+    question = f"generate {options.system}"
+    network = given.given_network(options, room.INPUTS, question)
+    known = {entry.name for entry in room.INPUTS}
+    inputs = [e for e in room.INPUTS if e.name in values or not {*values} <= known]
+    return read_inputs(inputs, values, network, question).values
+
+
+def _require_folder(folder: Path) -> None:
+    """Refuse a folder that holds something, before anything is computed."""
+    if folder.exists() and not folder.is_dir():
+        raise InputError("--out", f"{folder} is a file", "a new or empty folder is needed")
+    if folder.is_dir() and any(folder.iterdir()):
+        raise InputError("--out", f"{folder} is not empty", "a new or empty folder is needed")
+    parent = folder
+    while not parent.exists():
+        parent = parent.parent
+    if not parent.is_dir() or not os.access(parent, os.W_OK):
+        raise InputError("--out", f"{parent} cannot be written to", "another folder is needed")
