@@ -35,8 +35,8 @@ class Modes:
 
     Parameters
     ----------
-    moduli : tuple of Fraction
-        Absolute values of the eigenvalues.
+    moduli, reals : tuple of Fraction
+        Absolute values and real parts of the eigenvalues.
     real, imaginary : flint.fmpz_mat
         Row i is a left vector g with g F = z_i g E, after column j was divided by 2**shifts[j].
     shifts : tuple of int
@@ -46,6 +46,7 @@ class Modes:
     """
 
     moduli: tuple[Fraction, ...]
+    reals: tuple[Fraction, ...]
     real: Any
     imaginary: Any
     shifts: tuple[int, ...]
@@ -101,8 +102,8 @@ def _modes_of_bits(e: Any, f: Any, bits: int) -> Modes:
         size = max(abs(x) for x in balanced.entries()) * flint.arb(2) ** -(3 * bits // 4)
         near = flint.acb_mat(middle(balanced + noise * size))
         values, left = near.eig(left=True, algorithm="approx")
-        moduli = tuple(exact(abs(z.mid())) for z in values)
-        return _rounded(moduli, _unit_rows(left) * flint.acb_mat(back), bits, f"{bits} bits")
+        sizes = tuple(exact(abs(z.mid())) for z in values), tuple(exact(z.real) for z in values)
+        return _rounded(*sizes, _unit_rows(left) * flint.acb_mat(back), bits, f"{bits} bits")
 
 
 def _modes_of_doubles(e: Any, f: Any) -> Modes | None:
@@ -118,8 +119,9 @@ def _modes_of_doubles(e: Any, f: Any) -> Modes | None:
         except np.linalg.LinAlgError:  # no convergence
             return None
         moduli = tuple(Fraction(abs(z)) * exact(size) for z in values.tolist())
+        reals = tuple(Fraction(z) * exact(size) for z in values.real.tolist())
         left = flint.acb_mat([[complex(z) for z in row] for row in vectors.T.tolist()])
-        return _rounded(moduli, left * flint.acb_mat(back), 53, "doubles")
+        return _rounded(moduli, reals, left * flint.acb_mat(back), 53, "doubles")
 
 
 def _balanced(e: Any, f: Any, bits: int) -> tuple[Any, Any]:
@@ -200,7 +202,9 @@ def exact(x: Any) -> Fraction:
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
-def _rounded(moduli: tuple[Fraction, ...], left: Any, bits: int, stage: str) -> Modes:
+def _rounded(
+    moduli: tuple[Fraction, ...], reals: tuple[Fraction, ...], left: Any, bits: int, stage: str
+) -> Modes:
     """Keep about `bits` bits of the largest entry in each column."""
     import flint
 
@@ -211,7 +215,7 @@ def _rounded(moduli: tuple[Fraction, ...], left: Any, bits: int, stage: str) -> 
         flint.fmpz_mat(left.nrows(), n, [fixed(x, bits - heads[k % n]) for k, x in enumerate(part)])
         for part in parts
     )
-    return Modes(moduli, real, imaginary, tuple(head - min(heads) for head in heads), stage)
+    return Modes(moduli, reals, real, imaginary, tuple(head - min(heads) for head in heads), stage)
 
 
 def _head(x: Any) -> int:

@@ -53,11 +53,18 @@ def proves_above(e: Any, f: Any, modes: Modes, r: Fraction) -> bool:
     r : Fraction
         Positive.
     """
-    signs = [-1 if modulus > r else 1 for modulus in modes.moduli]
-    form = _form(modes, signs)
-    if -1 not in signs or not proved_definite(_decrease(e, f, modes, form, r)):
+    if max(modes.moduli) <= r or not splits(e, f, modes, r):
         return False
-    return negative_vector(rows_of(form)) is not None
+    return negative_vector(rows_of(_form(modes, _signs(modes, r)))) is not None
+
+
+def splits(e: Any, f: Any, modes: Modes, r: Fraction) -> bool:
+    """Tell whether no eigenvalue of E z+ = F z is proved to have modulus r.
+
+    Parameters are those of `proves_below`. With z* the complex transpose, an eigenvector z at
+    modulus r would give z*(r^2 E'QE - F'QF)z = 0 for every symmetric Q.
+    """
+    return proved_definite(_decrease(e, f, modes, _form(modes, _signs(modes, r)), r))
 
 
 def decaying_form(e: Any, f: Any, modes: Modes) -> Rows | None:
@@ -120,6 +127,10 @@ def proved_definite(matrix: Any) -> bool:
         for row, a in zip(rows, shifts, strict=True)
     ]
     return congruence(as_rows(even)) is not None
+
+
+def _signs(modes: Modes, r: Fraction) -> list[int]:
+    return [-1 if modulus > r else 1 for modulus in modes.moduli]
 
 
 def _form(modes: Modes, signs: list[int]) -> Any:
