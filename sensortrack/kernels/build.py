@@ -43,13 +43,15 @@ class Kernel:
     reason: str = ""
 
 
-def kernel(name: str) -> Kernel:
-    """Compile and load ``NAME.c`` of this folder.
+def kernel(name: str, folder: Path = Path(__file__).parent) -> Kernel:
+    """Compile and load ``NAME.c`` of a folder.
 
     Parameters
     ----------
     name : str
         Name of the source without its ending.
+    folder : Path, optional
+        Where the source lies; the folder of this module by default.
 
     Returns
     -------
@@ -58,7 +60,7 @@ def kernel(name: str) -> Kernel:
     """
     if os.environ.get("SENSORTRACK_NO_COMPILER") == "1":
         return Kernel(name, None, "SENSORTRACK_NO_COMPILER is 1")
-    return _kernel(name, os.environ.get("CC", "cc"), str(cache_folder()))
+    return _kernel(folder / f"{name}.c", os.environ.get("CC", "cc"), str(cache_folder()))
 
 
 def cache_folder() -> Path:
@@ -69,20 +71,20 @@ def cache_folder() -> Path:
 
 
 @cache
-def _kernel(name: str, compiler: str, folder: str) -> Kernel:
+def _kernel(source: Path, compiler: str, folder: str) -> Kernel:
+    name = source.stem
     try:
-        return Kernel(name, ctypes.CDLL(str(_built(name, shlex.split(compiler), Path(folder)))))
+        return Kernel(name, ctypes.CDLL(str(_built(source, shlex.split(compiler), Path(folder)))))
     except (OSError, ValueError, subprocess.SubprocessError) as error:
         detail = error.stderr if isinstance(error, subprocess.CalledProcessError) else ""
         return Kernel(name, None, f"{name}.c: {error} {detail}".strip())
 
 
-def _built(name: str, compiler: list[str], folder: Path) -> Path:
+def _built(source: Path, compiler: list[str], folder: Path) -> Path:
     """Path of the library, compiled if it is not in the cache."""
-    source = Path(__file__).with_name(f"{name}.c")
     keys = (*compiler, *FLAGS, platform.system(), platform.machine())
     digest = hashlib.sha256(source.read_bytes() + "\0".join(keys).encode()).hexdigest()
-    target = folder / f"{name}-{digest[:24]}.so"
+    target = folder / f"{source.stem}-{digest[:24]}.so"
     if not target.exists():
         _compile(compiler, source, target)
     return target

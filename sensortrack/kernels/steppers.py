@@ -1,0 +1,136 @@
+"""Generated steppers on flat arrays: in C where a compiler is, else on Python floats."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .build import kernel
+
+Floats = NDArray[np.float64]
+GENERATED = Path(__file__).parents[1] / "generated"
+
+
+@dataclass(frozen=True)
+class Stepper:
+    """The generated functions of one system; both roads give the same bits.
+
+    Parameters
+    ----------
+    module : ModuleType
+        The source on Python floats, with layouts and digest.
+    library : ctypes.CDLL or None
+        The compiled source.
+    reason : str
+        Why there is no library; empty if there is one.
+    """
+
+    module: ModuleType
+    library: ctypes.CDLL | None
+    reason: str = ""
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of the statements."""
+        return str(self.module.DIGEST)
+
+    def call(self, name: str, *groups: Sequence[float] | Floats) -> Floats:
+        """Call one function.
+
+        Parameters
+        ----------
+        name : str
+            ``step``, ``init``, ...
+        *groups : array of float
+            The argument groups in order, each flat in the order of its layout.
+
+        Returns
+        -------
+        ndarray
+            The resulting state, flat.
+        """
+        if self.library is None:
+            return np.array(getattr(self.module, name)(*groups))
+        given = [np.ascontiguousarray(group, dtype=np.float64) for group in groups]
+        found = np.empty(len(self.module.STATE))
+        function = self._function(name)
+        function(*(ctypes.c_void_p(array.ctypes.data) for array in (*given, found)))
+        return found
+
+    def run(self, context: Floats, state: Floats, inputs: Floats) -> Floats:
+        """Many steps: the states after each.
+
+        Parameters
+        ----------
+        context, state : ndarray
+            Flat.
+        inputs : ndarray
+            Samples by the numbers of one input.
+
+        Returns
+        -------
+        ndarray
+            Samples by the numbers of one state.
+        """
+        if self.library is None:
+            step, rows = self.module.step, []
+            gains, now = context.tolist(), tuple(state.tolist())
+            for row in inputs.tolist():
+                now = step(gains, now, row)
+                rows.append(now)
+            return np.array(rows).reshape(len(inputs), len(state))
+        given = np.ascontiguousarray(inputs, dtype=np.float64)
+        work, found = state.astype(np.float64), np.empty((len(given), len(state)))
+        gains = np.ascontiguousarray(context, dtype=np.float64)
+        addresses = [array.ctypes.data for array in (gains, work, given)]
+        self._function("run")(*addresses, ctypes.c_size_t(len(given)), found.ctypes.data)
+        return found
+
+    def _function(self, name: str) -> ctypes._NamedFuncPointer:
+        assert self.library is not None
+        return _prepared(self.library, f"trk_{self.module.SYSTEM}_{name}", name == "run")
+
+
+@cache
+def stepper(system: str) -> Stepper:
+    """Load the generated functions of a system.
+
+    Parameters
+    ----------
+    system : str
+        One that has generated source.
+
+    Returns
+    -------
+    Stepper
+        On Python floats where the source cannot be compiled or is of another version.
+    """
+    module = import_module(f"sensortrack.generated.{system}")
+    found = kernel(system, GENERATED)
+    if found.library is None:
+        return Stepper(module, None, found.reason)
+    digest = getattr(found.library, f"trk_{system}_digest")
+    digest.restype = ctypes.c_char_p
+    if digest().decode() != module.DIGEST:
+        return Stepper(module, None, f"{system}.c and {system}.py are of different versions")
+    return Stepper(module, found.library)
+
+
+@cache
+def _prepared(library: ctypes.CDLL, name: str, many: bool) -> ctypes._NamedFuncPointer:
+    function: ctypes._NamedFuncPointer = getattr(library, name)
+    function.restype = None
+    if many:
+        address = ctypes.c_void_p
+        function.argtypes = [address, address, address, ctypes.c_size_t, address]
+    else:
+        function.argtypes = None
+    return function
