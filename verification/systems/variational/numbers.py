@@ -1,4 +1,4 @@
-"""Spectral radius and energy growth of one step of (20), with certified bounds.
+"""Spectral radius and energy growth of one step of (20), abscissa of (13), with certified bounds.
 
 One step takes (x_k, u_k) to (x_{k+1}, u_{k+1}), where x_{k+1} = x_k + h u_k is what u_k means, and
 u_{k+1} follows from the discrete Lagrange-d'Alembert equation at node k+1. It is kept as a pencil
@@ -11,9 +11,10 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from theory.algebra.noncommuting import letters
+from theory.algebra.noncommuting import letters, scalars
 from theory.systems.variational.statements.common import EQUATION, energy
 from verification.answers import Answer
+from verification.exact.abscissa import pencil_abscissa
 from verification.exact.evaluate import Rows, at, identity, scaled
 from verification.exact.rayleigh import image_ratio
 from verification.exact.spectral import Enclosure, pencil_radius
@@ -22,6 +23,11 @@ from .gains import definite_gains, positive_step
 
 NARROW, USABLE = 1e-10, 1e-6
 """Relative widths above which a bracket is remarked on, and above which it gives no value."""
+
+(STEP,) = scalars("h")
+U, ACCELERATION = letters("u a")
+CONTINUOUS = -EQUATION.substitute({"v": U - STEP * ACCELERATION}).coefficient("h", 1)
+"""(20) at a vanishing step, in x, u and a = du/dt: Ma + Cu + Kx = 0, which is (13)."""
 
 
 def step_pencil(gains: Mapping[str, Rows], h: Fraction) -> tuple[Rows, Rows]:
@@ -88,6 +94,35 @@ def energy_ratio(values: Mapping[str, Any]) -> Answer:
     """
     h, gains = positive_step(values), definite_gains(values)
     return _answer(image_ratio(*step_pencil(gains, h), energy_matrix(gains)))
+
+
+def abscissa(values: Mapping[str, Any]) -> Answer:
+    """Largest real part of an eigenvalue of the continuous estimator (12).
+
+    Parameters
+    ----------
+    values : mapping
+        ``M``, ``K``, ``C``: exact symmetric positive definite matrices of one size.
+
+    Returns
+    -------
+    Answer
+        In 1/s, negative. Certified bounds of relative width 1e-10 at most unless a note says
+        otherwise.
+
+    Raises
+    ------
+    InputError
+        A gain is not symmetric positive definite.
+    """
+    gains = definite_gains(values)
+    one, zero = identity(len(gains["M"])), scaled(0, identity(len(gains["M"])))
+    mass, damping, stiffness = (
+        at(CONTINUOUS.before(letter), gains, Fraction(1)) for letter in ("a", "u", "x")
+    )
+    left = _blocks(one, zero, zero, mass)
+    right = _blocks(zero, one, scaled(-1, stiffness), scaled(-1, damping))
+    return _answer(pencil_abscissa(left, right))
 
 
 def _answer(found: Enclosure) -> Answer:

@@ -6,7 +6,7 @@ from verification.answers import Condition, Input, Quantity
 
 from .delays import delay_step_limit
 from .noise_gains import noise_gain, peak_gain
-from .numbers import energy_ratio, spectral_radius
+from .numbers import abscissa, energy_ratio, spectral_radius
 from .steps import decide_step, leapfrog_step_limit, step_limit
 
 GAINS = (
@@ -27,6 +27,7 @@ QUANTITIES = (
         True,
     ),
     Quantity("spectral_radius", "of one step of (20)", (*GAINS, STEP), spectral_radius, False),
+    Quantity("abscissa", "of the continuous estimator (12)", GAINS, abscissa, False),
     Quantity(
         "energy_ratio",
         "largest one-step growth factor of the printed energy",
