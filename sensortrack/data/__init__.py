@@ -12,6 +12,10 @@ import numpy as np
 from sensortrack.errors import InputError
 from sensortrack.networks import Network
 
+from .recorded import TRACKS, load_track
+
+__all__ = ["TRACKS", "different", "load_network", "load_track", "real_networks"]
+
 
 def real_networks() -> tuple[str, ...]:
     """Names of the real communication networks that are shipped.

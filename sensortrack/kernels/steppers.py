@@ -131,6 +131,4 @@ def _prepared(library: ctypes.CDLL, name: str, many: bool) -> ctypes._NamedFuncP
     if many:
         address = ctypes.c_void_p
         function.argtypes = [address, address, address, ctypes.c_size_t, address]
-    else:
-        function.argtypes = None
     return function

@@ -20,6 +20,7 @@ COMMANDS: Mapping[str, str] = {
     "bound": "the sharp constant for my data, beside the printed one",
     "check": "re-validate certificates with the standard-library checker",
     "generate": "write the estimator as source: C, Python, NumPy, CasADi",
+    "simulate": "run a scenario: tracks, errors, events, figures",
     "report": "build the pages again from what a run left",
     "systems": "list the estimators",
     "claims": "list the printed claims",

@@ -1,0 +1,142 @@
+"""The figures of one run: the target, the tracks, the errors beside their bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .style import COLOURS, style
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Record = Mapping[str, Any]
+PARTS = (("x", "sharp"), ("y", "printed"), ("z", "bound"))
+NEVER = {"Date": None}
+"""No date in a file, so that the same run gives the same bytes."""
+
+
+def save_run(run: Record, folder: Path) -> list[Path]:
+    """Write the figures of a run as SVG files.
+
+    Parameters
+    ----------
+    run : mapping
+        Content of ``run.json``.
+    folder : Path
+        Exists.
+
+    Returns
+    -------
+    list of Path
+    """
+    made = []
+    with style():
+        for name, draw in FIGURES.items():
+            figure = draw(run)
+            path = folder / f"{name}.svg"
+            figure.savefig(path, metadata=NEVER)
+            made.append(path)
+    return made
+
+
+def _axes(**options: Any) -> tuple[Figure, Axes]:
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+    from matplotlib.figure import Figure
+
+    figure = Figure(layout="constrained")
+    FigureCanvasSVG(figure)
+    return figure, figure.add_subplot(**options)
+
+
+def _array(rows: Any) -> NDArray[np.float64]:
+    return np.array(rows, dtype=float)
+
+
+def track(run: Record) -> Figure:
+    """The target's path in space."""
+    figure, axes = _axes(projection="3d")
+    path = _array(run["target"]["position"])
+    axes.plot(*path.T, color=COLOURS["target"])
+    axes.plot(*path[:1].T, "o", color=COLOURS["sharp"], ms=4)
+    axes.set(xlabel="x, m", ylabel="y, m", zlabel="z, m")
+    return figure
+
+
+def seen_from_above(run: Record) -> Figure:
+    """Target, estimate and sensors in the plane."""
+    figure, axes = _axes()
+    path = _array(run["target"]["position"])
+    axes.plot(path[:, 0], path[:, 1], ":", color=COLOURS["target"], label="target")
+    for estimate in run["estimates"]:
+        if estimate["name"] == run["system"]:
+            places = _array(estimate["position"])
+            axes.plot(places[:, 0], places[:, 1], color=COLOURS["sharp"], lw=1.1, label="estimate")
+    for sensor in run["sensors"]:
+        place = _array(sensor["position"])
+        axes.plot(place[:, 0], place[:, 1], color=COLOURS["run"], lw=0.7)
+        axes.plot(*place[0, :2], "s", color=COLOURS["run"], ms=4)
+        axes.annotate(sensor["name"], place[0, :2], textcoords="offset points", xytext=(5, 3))
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal")
+    axes.set_adjustable("datalim")
+    axes.legend(frameon=False)
+    return figure
+
+
+def _parts(run: Record, values: NDArray[np.float64], label: str) -> Figure:
+    """Three components over time."""
+    figure, axes = _axes()
+    for k, (part, role) in enumerate(PARTS):
+        axes.plot(run["time"], values[:, k], color=COLOURS[role], lw=1.2, label=part)
+    _events(run, axes)
+    axes.set(xlabel="time, s", ylabel=label)
+    axes.legend(frameon=False, ncols=3)
+    return figure
+
+
+def _error(run: Record, what: str) -> NDArray[np.float64]:
+    own = next(entry for entry in run["estimates"] if entry["name"] == run["system"])
+    return _array(own[what]) - _array(run["target"][what])
+
+
+def _beside_bounds(run: Record, what: str, unit: str) -> Figure:
+    """Norms of the errors of all estimates, and what bounds them."""
+    figure, axes = _axes()
+    truth = _array(run["target"][what])
+    for estimate in run["estimates"]:
+        own = estimate["name"] == run["system"]
+        size = np.linalg.norm(_array(estimate[what]) - truth, axis=1)
+        known = np.where(size > 0, size, np.nan)
+        colour, width = (COLOURS["sharp"], 1.6) if own else (COLOURS["run"], 0.7)
+        dash = "-" if own or estimate["name"] == "raw" else "--"
+        axes.semilogy(run["time"], known, dash, color=colour, lw=width, label=estimate["label"])
+    for bound in run.get("bounds", ()):
+        if bound["quantity"] == f"{what} error":
+            axes.semilogy(bound["time"], bound["value"], color=COLOURS["bound"], label="bound")
+    _events(run, axes)
+    axes.set(xlabel="time, s", ylabel=f"{what} error, {unit}")
+    axes.legend(frameon=False, fontsize=7)
+    return figure
+
+
+def _events(run: Record, axes: Axes) -> None:
+    for event in run.get("events", ()):
+        axes.axvline(event["time"], color=COLOURS["rule"], ls=":", lw=0.9)
+
+
+FIGURES: Mapping[str, Callable[[Record], Figure]] = {
+    "target_track": track,
+    "target_position": lambda run: _parts(run, _array(run["target"]["position"]), "position, m"),
+    "target_velocity": lambda run: _parts(run, _array(run["target"]["velocity"]), "velocity, m/s"),
+    "tracks": seen_from_above,
+    "position_error": lambda run: _parts(run, _error(run, "position"), "position error, m"),
+    "velocity_error": lambda run: _parts(run, _error(run, "velocity"), "velocity error, m/s"),
+    "position_bound": lambda run: _beside_bounds(run, "position", "m"),
+    "velocity_bound": lambda run: _beside_bounds(run, "velocity", "m/s"),
+}
+"""File name to what draws it; the first three and the two errors are Figures 2 to 8 of the paper."""

@@ -1,0 +1,53 @@
+"""One look for all figures: colours by role, the same bytes for the same data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+COLOURS = {
+    "sharp": "#006468",
+    "printed": "#8a5600",
+    "refuted": "#b01030",
+    "bound": "#5848ad",
+    "run": "#636870",
+    "target": "#1b1d21",
+    "paper": "#fcfbf8",
+    "rule": "#8b8a83",
+}
+"""Role to colour; roles, never an order, decide."""
+
+SETTINGS = {
+    "figure.figsize": (4.8, 3.3),
+    "figure.dpi": 200,
+    "figure.facecolor": COLOURS["paper"],
+    "axes.facecolor": COLOURS["paper"],
+    "savefig.facecolor": COLOURS["paper"],
+    "font.family": "serif",
+    "font.serif": ["Palatino", "TeX Gyre Pagella", "Liberation Serif", "DejaVu Serif"],
+    "font.size": 9,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "mathtext.fontset": "stix",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.8,
+    "axes.edgecolor": COLOURS["rule"],
+    "lines.linewidth": 1.8,
+    "svg.fonttype": "none",
+    "svg.hashsalt": "sensortrack",
+}
+
+
+@contextmanager
+def style() -> Iterator[None]:
+    """Draw in the look of the reports within this context."""
+    import matplotlib as mpl
+
+    with mpl.rc_context():
+        mpl.rcParams.update({k: v for k, v in SETTINGS.items() if k != "font.serif"})
+        from matplotlib import font_manager
+
+        present = {font.name for font in font_manager.fontManager.ttflist}
+        mpl.rcParams["font.serif"] = [f for f in SETTINGS["font.serif"] if f in present]  # type: ignore[attr-defined]
+        yield

@@ -1,0 +1,155 @@
+"""One run: everything that was true and everything that was estimated."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+FORMAT = "sensortrack-run/1"
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """What a simulation found; positions in m, velocities in m/s, times in s, inertial frame.
+
+    Parameters
+    ----------
+    name, title, about : str
+        Of the scenario.
+    digest : str
+        Of the generated source that was stepped.
+    seed : int
+    assumptions, notes : tuple of str
+        What was chosen because no paper prints it; what was remarkable.
+    parameters : mapping
+        Gains, step, weights, noise.
+    time : array (samples,)
+    target : (array (samples, 3), array (samples, 3))
+        True position and velocity.
+    sensors : mapping of str to array (samples, 3)
+    estimates : mapping of str to (array, array)
+        Position and velocity; NaN where there is no estimate.
+    labels : mapping of str to str
+        Names of the estimates for readers.
+    events : tuple of dict
+    summary_from : float
+        Time from which errors are summarised.
+    """
+
+    name: str
+    title: str
+    about: str
+    digest: str
+    seed: int
+    assumptions: tuple[str, ...]
+    parameters: Mapping[str, Any]
+    time: Floats
+    target: tuple[Floats, Floats]
+    sensors: Mapping[str, Floats]
+    estimates: Mapping[str, tuple[Floats, Floats]]
+    labels: Mapping[str, str]
+    events: tuple[dict[str, Any], ...]
+    notes: tuple[str, ...]
+    summary_from: float
+
+    def errors(self, name: str) -> tuple[Floats, Floats]:
+        """Norms of the position error in m and the velocity error in m/s of an estimate."""
+        found = self.estimates[name]
+        place, rate = (
+            np.linalg.norm(estimate - truth, axis=1)
+            for estimate, truth in zip(found, self.target, strict=True)
+        )
+        return place, rate
+
+    @property
+    def summary(self) -> list[dict[str, Any]]:
+        """Root-mean-square errors of each estimate."""
+        counted = self.time >= self.summary_from
+        rows = []
+        for name in self.estimates:
+            place, rate = (_rms(error[counted]) for error in self.errors(name))
+            rows.append(
+                {
+                    "estimate": name,
+                    "position_rms": place,
+                    "velocity_rms": rate,
+                    "from": self.summary_from,
+                }
+            )
+        return rows
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the content of ``run.json``."""
+        return {
+            "format": FORMAT,
+            "name": self.name,
+            "title": self.title,
+            "about": self.about,
+            "system": "variational",
+            "digest": self.digest,
+            "seed": self.seed,
+            "assumptions": list(self.assumptions),
+            "parameters": dict(self.parameters),
+            "time": self.time.tolist(),
+            "target": {"position": _rows(self.target[0]), "velocity": _rows(self.target[1])},
+            "sensors": [
+                {"name": name, "position": _rows(place)} for name, place in self.sensors.items()
+            ],
+            "estimates": [
+                {
+                    "name": name,
+                    "label": self.labels.get(name, name),
+                    "position": _rows(place),
+                    "velocity": _rows(rate),
+                }
+                for name, (place, rate) in self.estimates.items()
+            ],
+            "events": list(self.events),
+            "summary": self.summary,
+            "notes": list(self.notes),
+        }
+
+    def tracks_csv(self) -> str:
+        """Positions and velocities, one row a time and a track."""
+        tracks = {"target": self.target, **self.estimates}
+        head = ("time_s", "track", "x_m", "y_m", "z_m", "vx_mps", "vy_mps", "vz_mps")
+        rows = [
+            (t, name, *place[k], *rate[k])
+            for k, t in enumerate(self.time)
+            for name, (place, rate) in tracks.items()
+        ]
+        return _csv(head, rows)
+
+    def errors_csv(self) -> str:
+        """Norms of the errors, one row a time and an estimate."""
+        errors = {name: self.errors(name) for name in self.estimates}
+        rows = [
+            (t, name, place[k], rate[k])
+            for k, t in enumerate(self.time)
+            for name, (place, rate) in errors.items()
+        ]
+        return _csv(("time_s", "estimate", "position_error_m", "velocity_error_mps"), rows)
+
+
+def _rms(values: Floats) -> float:
+    known = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(known**2))) if known.size else float("nan")
+
+
+def _rows(values: Floats) -> list[list[float | None]]:
+    return [[x if np.isfinite(x) else None for x in row] for row in values.tolist()]
+
+
+def _csv(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(head)
+    writer.writerows([[f"{x:.9g}" if isinstance(x, float) else x for x in row] for row in rows])
+    return text.getvalue()
