@@ -139,4 +139,4 @@ FIGURES: Mapping[str, Callable[[Record], Figure]] = {
     "position_bound": lambda run: _beside_bounds(run, "position", "m"),
     "velocity_bound": lambda run: _beside_bounds(run, "velocity", "m/s"),
 }
-"""File name to what draws it; the first three and the two errors are Figures 2 to 8 of the paper."""
+"""File name to what draws it; the first three and the errors are Figures 2 to 8 of the paper."""

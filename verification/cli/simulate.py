@@ -100,9 +100,8 @@ def lines_of(data: dict[str, Any]) -> list[str]:
     """The summary in plain text."""
     labels = {entry["name"]: entry["label"] for entry in data["estimates"]}
     lines = [f"{data['title']}, seed {data['seed']}", ""]
-    lines.append(
-        f"{'rms from ' + format(data['summary'][0]['from'], 'g') + ' s':<24}  position, m  velocity, m/s"
-    )
+    since = f"rms from {data['summary'][0]['from']:g} s"
+    lines.append(f"{since:<24}  position, m  velocity, m/s")
     for row in data["summary"]:
         numbers = f"{row['position_rms']:>11.5g}  {row['velocity_rms']:>13.5g}"
         lines.append(f"  {labels[row['estimate']]:<22}  {numbers}")
