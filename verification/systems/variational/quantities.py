@@ -5,8 +5,9 @@ from __future__ import annotations
 from verification.answers import Condition, Input, Quantity
 
 from .delays import delay_step_limit
-from .noise_gains import noise_gain, peak_gain
+from .noise_gains import noise_gain
 from .numbers import abscissa, energy_ratio, spectral_radius
+from .peak_gains import peak_gain
 from .steps import decide_step, leapfrog_step_limit, step_limit
 
 GAINS = (
