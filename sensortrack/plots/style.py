@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 COLOURS = {
     "sharp": "#006468",
@@ -17,6 +18,9 @@ COLOURS = {
 }
 """Role to colour; roles, never an order, decide."""
 
+SERIFS = ("Palatino", "TeX Gyre Pagella", "Liberation Serif", "DejaVu Serif")
+"""The first that is installed."""
+
 SETTINGS = {
     "figure.figsize": (4.8, 3.3),
     "figure.dpi": 200,
@@ -24,7 +28,6 @@ SETTINGS = {
     "axes.facecolor": COLOURS["paper"],
     "savefig.facecolor": COLOURS["paper"],
     "font.family": "serif",
-    "font.serif": ["Palatino", "TeX Gyre Pagella", "Liberation Serif", "DejaVu Serif"],
     "font.size": 9,
     "xtick.labelsize": 8,
     "ytick.labelsize": 8,
@@ -44,10 +47,10 @@ def style() -> Iterator[None]:
     """Draw in the look of the reports within this context."""
     import matplotlib as mpl
 
-    with mpl.rc_context():
-        mpl.rcParams.update({k: v for k, v in SETTINGS.items() if k != "font.serif"})
-        from matplotlib import font_manager
+    from matplotlib import font_manager
 
-        present = {font.name for font in font_manager.fontManager.ttflist}
-        mpl.rcParams["font.serif"] = [f for f in SETTINGS["font.serif"] if f in present]  # type: ignore[attr-defined]
+    present = {font.name for font in font_manager.fontManager.ttflist}
+    fonts = [font for font in SERIFS if font in present]
+    chosen: Any = {**SETTINGS, "font.serif": fonts}
+    with mpl.rc_context(chosen):
         yield

@@ -59,13 +59,14 @@ def constants(
 
 def _size(sizes: Mapping[str, int], coordinates: int | None) -> int:
     own = max(sizes.values(), default=1)
-    n = coordinates or (own if own > 1 else STEPPER.coordinates)
-    if own not in (1, n):
-        name = next(name for name in sizes if sizes[name] == own)
-        raise InputError(name, f"{own} x {own}", f"{n} x {n} is needed for {n} coordinates")
+    default = own if own > 1 else STEPPER.coordinates
+    n = default if coordinates is None else coordinates
     if not 1 <= n <= MOST:
         needed = f"1 to {MOST} are needed: longer straight-line source is slower than a loop"
         raise InputError("--coordinates", str(n), needed)
+    if own not in (1, n):
+        name = next(name for name in sizes if sizes[name] == own)
+        raise InputError(name, f"{own} x {own}", f"{n} x {n} is needed for {n} coordinates")
     return n
 
 

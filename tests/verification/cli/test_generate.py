@@ -1,0 +1,99 @@
+"""``sensortrack generate``: folders that test themselves, and what is refused."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+from verification.cli.main import main
+
+GAINS = ("--set", "M=[[2,0.5],[0.5,1]]", "--set", "K=3", "--set", "C=1.5", "--set", "h=0.1")
+
+
+def generate(out, *arguments, target="python"):
+    return main(["generate", "variational", "--target", target, "--out", str(out), *arguments])
+
+
+@pytest.mark.parametrize("target", ["python", "numpy", "casadi"])
+@pytest.mark.parametrize("given", [(), GAINS, ("--coordinates", "1", "--set", "M=2")])
+def test_python_targets_test_themselves(tmp_path, target, given):
+    assert generate(tmp_path / "out", *given, target=target) == 0
+    done = subprocess.run(
+        [sys.executable, "selftest.py"],
+        cwd=tmp_path / "out",
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert " 0 mismatches" in done.stdout
+
+
+def test_the_python_target_imports_the_standard_library_alone(tmp_path):
+    generate(tmp_path / "out")
+    code = "import variational, sys; sys.exit(any(m in sys.modules for m in ('numpy', 'sympy')))"
+    done = subprocess.run(
+        [sys.executable, "-S", "-c", code], cwd=tmp_path / "out", capture_output=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("given", [(), GAINS, ("--coordinates", "6")])
+def test_the_c_target_needs_a_compiler_alone(tmp_path, given):
+    assert generate(tmp_path / "out", *given, target="c") == 0
+    done = subprocess.run(
+        ["make", "-C", tmp_path / "out", "test"], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+
+
+def test_inputs_given_become_constants(tmp_path):
+    generate(tmp_path / "out", *GAINS)
+    manifest = json.loads((tmp_path / "out" / "manifest.json").read_text())
+    assert manifest["coordinates"] == 2
+    assert manifest["layout"]["context"] == []
+    assert manifest["constants"]["K"] == [["3", "0"], ["0", "3"]]
+
+
+def test_an_unstable_step_is_remarked_on(tmp_path, capsys):
+    gains = ("--set", "M=1", "--set", "K=1", "--set", "C=1")
+    generate(tmp_path / "a", *gains, "--set", "h=3.2")
+    assert "not stable" not in capsys.readouterr().err
+    generate(tmp_path / "b", *gains, "--set", "h=3.3")
+    assert "not stable at h = 33/10" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "given,name",
+    [
+        (("--set", "M=[[1,2],[2,1]]"), "M"),
+        (("--set", "M=[[1,2],[0,1]]"), "M"),
+        (("--set", "h=0"), "h"),
+        (("--set", "h=-1"), "h"),
+        (("--set", "G=1"), "G"),
+        (("--set", "M=[[1,0],[0,1]]", "--set", "K=[[1,0,0],[0,1,0],[0,0,1]]"), "K"),
+        (("--set", "M=[[1,0],[0,1]]", "--coordinates", "3"), "M"),
+        (("--coordinates", "0"), "--coordinates"),
+        (("--coordinates", "13"), "--coordinates"),
+        (("--graph", "path:3"), "graph"),
+    ],
+)
+def test_bad_input_is_refused_by_name_and_nothing_is_written(tmp_path, capsys, given, name):
+    assert generate(tmp_path / "out", *given) == 2
+    assert capsys.readouterr().err.startswith(f"sensortrack: {name}: ")
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_that_holds_something_is_left_alone(tmp_path, capsys):
+    (tmp_path / "mine.txt").write_text("mine")
+    assert generate(tmp_path) == 2
+    assert capsys.readouterr().err.startswith("sensortrack: --out: ")
+    assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
+    assert generate(tmp_path / "mine.txt") == 2
+    assert generate(tmp_path / "mine.txt" / "below") == 2
+
+
+def test_an_unknown_system_is_named(tmp_path, capsys):
+    assert main(["generate", "variatonal", "--target", "c", "--out", str(tmp_path / "o")]) == 2
+    assert "did you mean variational" in capsys.readouterr().err
