@@ -1,0 +1,118 @@
+"""``sensortrack simulate``: what it writes, what it says, what it refuses."""
+
+import json
+
+import pytest
+
+from sensortrack.simulation import shipped_scenarios
+from verification.cli.main import main
+
+TOY = """
+title = "A toy"
+about = "A circle."
+duration_s = 3.0
+[target]
+kind = "helix"
+radius_m = 5.0
+rate_radps = 0.8
+[[sensor]]
+name = "a"
+position_m = [9.0, 0.0, 0.0]
+[[sensor]]
+name = "b"
+position_m = [0.0, 9.0, 0.0]
+[[fault]]
+kind = "lost"
+sensor = "b"
+from_s = 1.5
+[noise]
+kind = "uniform"
+position_m = 0.2
+velocity_mps = 0.1
+[estimator]
+system = "variational"
+M = 1.0
+K = 4.0
+C = 3.0
+h_s = 0.05
+start_offset_m = [1.0, 0.0, 0.0]
+"""
+
+
+@pytest.fixture
+def toy(tmp_path):
+    path = tmp_path / "toy.toml"
+    path.write_text(TOY)
+    return path
+
+
+def test_a_run_leaves_its_data_figures_and_pages(toy, tmp_path, capsys):
+    out = tmp_path / "out"
+    assert main(["simulate", str(toy), "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert "sensor b no longer sees the target" in said
+    assert said.count("held, reached") == 2
+    names = {path.name for path in out.iterdir()}
+    assert names == {
+        *("run.json", "tracks.csv", "errors.csv", "figures", "report.html", "report.md")
+    }
+    run = json.loads((out / "run.json").read_text())
+    assert all(bound["holds"] and bound["smallest_slack"] >= 0 for bound in run["bounds"])
+    assert len((out / "errors.csv").read_text().splitlines()) == 1 + 61 * 3
+    assert len(list((out / "figures").glob("*.svg"))) == 8
+    assert "every proved bound held" in (out / "report.html").read_text()
+
+
+def test_the_same_seed_writes_the_same_bytes(toy, tmp_path):
+    for folder in ("x", "y"):
+        main(["simulate", str(toy), "--out", str(tmp_path / folder), "--seed", "4"])
+    for path in sorted((tmp_path / "x").rglob("*.*")):
+        other = tmp_path / "y" / path.relative_to(tmp_path / "x")
+        assert path.read_bytes() == other.read_bytes(), path.name
+
+
+def test_json_is_one_document_and_report_builds_the_page_again(toy, tmp_path, capsys):
+    out = tmp_path / "out"
+    assert main(["simulate", str(toy), "--out", str(out), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["name"] == "toy"
+    page = (out / "report.html").read_bytes()
+    (out / "report.html").unlink()
+    assert main(["report", str(out)]) == 0
+    assert (out / "report.html").read_bytes() == page
+
+
+def test_a_run_is_written_over_an_earlier_one_and_over_nothing_else(toy, tmp_path, capsys):
+    out = tmp_path / "out"
+    assert main(["simulate", str(toy), "--out", str(out)]) == 0
+    assert main(["simulate", str(toy), "--out", str(out)]) == 0
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "file").write_text("mine")
+    for target in (tmp_path / "mine", toy, toy / "below"):
+        assert main(["simulate", str(toy), "--out", str(target)]) == 2
+        assert capsys.readouterr().err.startswith("sensortrack: --out: ")
+
+
+@pytest.mark.parametrize(
+    "arguments,name",
+    [
+        (("nowhere.toml",), "scenario"),
+        (("sanyal_section_5",), "scenario"),
+        (("sanyal_section_4", "--seed", "-1"), "--seed"),
+    ],
+)
+def test_bad_input_is_refused_by_name(tmp_path, capsys, arguments, name):
+    assert main(["simulate", *arguments, "--out", str(tmp_path / "o")]) == 2
+    assert capsys.readouterr().err.startswith(f"sensortrack: {name}: ")
+    assert not (tmp_path / "o").exists()
+
+
+@pytest.mark.parametrize("name", [n for n in shipped_scenarios() if n.startswith("solent")])
+def test_every_bound_is_on_the_right_side_of_a_recorded_track(tmp_path, name):
+    out = tmp_path / "out"
+    assert main(["simulate", name, "--out", str(out)]) == 0
+    run = json.loads((out / "run.json").read_text())
+    assert {bound["quantity"] for bound in run["bounds"]} == {"position error", "velocity error"}
+    assert all(bound["holds"] for bound in run["bounds"])
+    rms = {row["estimate"]: row["position_rms"] for row in run["summary"]}
+    assert rms["variational"] < rms["raw"]
+    assert rms["kalman"] < rms["raw"]
