@@ -46,7 +46,6 @@ SETTINGS = {
 def style() -> Iterator[None]:
     """Draw in the look of the reports within this context."""
     import matplotlib as mpl
-
     from matplotlib import font_manager
 
     present = {font.name for font in font_manager.fontManager.ttflist}
