@@ -9,7 +9,7 @@ from ....algebra.noncommuting import Form
 from ....statements import BRACKET, Case, Statement
 from .common import DEFINITE, GAINS, SCHEME
 
-MOST_DELAY = 12
+MOST_DELAY = 6
 """Samples of delay up to which certificates are offered."""
 
 PRESENT: Mapping[int, Form] = {
