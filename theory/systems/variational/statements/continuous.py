@@ -49,15 +49,15 @@ ARBITRARY = (
 )
 
 
+def energy_text(at: str = "x", speed: str = "u") -> str:
+    """(14) in the checker's language, at any position and velocity."""
+    return f"1/2*T({speed})*M*({speed}) + 1/2*T({at})*K*({at})"
+
+
 def crossed_text(factor: str, at: str = "x", speed: str = "u") -> str:
-    """The same in the checker's language, at any position and velocity."""
+    """The energy with a cross term, factor x'Mu, in the checker's language."""
     cross = f"T({at})*M*({speed}) + T({speed})*M*({at})"
     return f"{energy_text(at, speed)} + 1/2*{factor}*({cross})"
-
-
-def energy_text(at: str = "x", speed: str = "u") -> str:
-    """(14) in the checker's language."""
-    return f"1/2*T({speed})*M*({speed}) + 1/2*T({at})*K*({at})"
 
 
 def _grows(form: Form, text: Callable[[str, str], str]) -> str:

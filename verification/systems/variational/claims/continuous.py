@@ -22,8 +22,8 @@ from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows
 from verification.verdict import Decision, Verdict
 
-from ..best_damping import ceiling, planar, planar_gains, planar_instance
 from ..energies import energies_over_time
+from .best_damping import ceiling, planar, planar_gains, planar_instance
 from .witnesses import derivation
 
 ROOTS = Fraction(1), Fraction(2)

@@ -9,7 +9,7 @@ from theory.systems.variational.statements.best_damping import PLANAR
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows, identity, scaled
 
-from .claims.witnesses import derivation
+from .witnesses import derivation
 
 Witness = dict[str, Any]
 Certificate = dict[str, Any]
