@@ -163,7 +163,7 @@ def _bracketed(
         return None
     form, x = unstable
     n, blocks = len(gains["M"]), blocks_of(delay)
-    bases = [identity(n), *(_block(n, blocks, j) for j in range(blocks))]
+    bases = [identity(n), *(block(n, blocks, j) for j in range(blocks))]
     witness: list[dict[str, Any]] = [
         *({"kind": "matrix", "rows": rows} for rows in (*bases, stable, form)),
         {"kind": "vector", "x": list(x)},
@@ -180,7 +180,7 @@ def _bracketed(
     return Answer(lower=float(lower), upper=float(upper), verdict="PROVED", certificate=document)
 
 
-def _block(n: int, blocks: int, j: int) -> Rows:
+def block(n: int, blocks: int, j: int) -> Rows:
     """Column block j of the identity."""
     return tuple(tuple(row[j * n : (j + 1) * n]) for row in identity(n * blocks))
 

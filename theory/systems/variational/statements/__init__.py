@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from ....statements import Statement
-from . import continuous, discrete, framework, late, noise
+from . import continuous, discrete, framework, late, noise, schemes
 
 STATEMENTS: tuple[Statement, ...] = (
     *framework.STATEMENTS,
     *continuous.STATEMENTS,
     *noise.STATEMENTS,
     *discrete.STATEMENTS,
+    *schemes.STATEMENTS,
     *late.STATEMENTS,
 )

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from ....algebra.noncommuting import Form
+from ....algebra.noncommuting import Form, letters, scalars
 from ....statements import BRACKET, Case, Statement
-from .common import DEFINITE, GAINS, SCHEME
+from . import simulated
+from .common import ANY_GAINS, DEFINITE, GAINS, SCHEME, pencil
 
 MOST_DELAY = 6
 """Samples of delay up to which certificates are offered."""
@@ -42,7 +43,7 @@ def late_step(delay: int) -> tuple[str, str]:
     return left, right
 
 
-def _basis(blocks: int) -> tuple[str, ...]:
+def basis(blocks: int) -> tuple[str, ...]:
     """Predicates that E0, E1, ... are orthonormal blocks of the size of M."""
     made = ["exists(I, I*M == M)"]
     for j in range(blocks):
@@ -70,7 +71,7 @@ def _delay_case(delay: int) -> Case:
     stable = f"exists(P, pd(P), {_decrease('P', 'lower', delay)})"
     not_so = f"exists(Q, dips(Q), {_decrease('Q', 'upper', delay)})"
     ends = (f"d == {delay}", "lower > 0", "upper > lower")
-    show = (*DEFINITE, *ends, *_basis(blocks_of(delay)), stable, not_so)
+    show = (*DEFINITE, *ends, *basis(blocks_of(delay)), stable, not_so)
     return Case("PROVED", words, show, BRACKET)
 
 
@@ -79,4 +80,64 @@ def _delay() -> Statement:
     return Statement("variational", "delay_step_limit", cases, GAINS | {"d": "number"})
 
 
-STATEMENTS: tuple[Statement, ...] = (_delay(),)
+def _too_late() -> Statement:
+    words = (
+        "M, K, C are symmetric positive definite, every solution of (20) tends to 0 at the step h, "
+        "and some solution does not when the position error is used one sample late"
+    )
+    late = f"exists(Q, dips(Q), {_decrease('Q', 'h', 1)})"
+    show = (*DEFINITE, "h > 0", f"schur({pencil(SCHEME)})", *basis(blocks_of(1)), late)
+    return Statement(
+        "variational",
+        "section_4_instantaneous",
+        {"REFUTED": Case("REFUTED", words, show)},
+        inputs=GAINS | {"h": "number"},
+    )
+
+
+ONE_LATE = (SCHEME.a2, PRESENT[1], PRESENT[0] + PULL)
+"""Coefficients of the recursion with the position error one sample late, newest first."""
+
+
+def _one_late() -> Statement:
+    C, K, Q = letters("C K Q", "CKQ")
+    (h,) = scalars("h")
+    words = (
+        "for all M, K, C > 0 of any size and every h > 0 with C - hK > 0, every solution tends to "
+        "0 when the position error is used one sample late"
+    )
+    show = f"schur({', '.join(map(str, ONE_LATE))})"
+    return Statement(
+        "variational",
+        "section_4_instantaneous_repair",
+        {"PROVED": Case("PROVED", words, (show,))},
+        symbols=ANY_GAINS | {"Q": "positive definite: n"},
+        given=(str(Q - C + h * K),),
+    )
+
+
+def _one_coordinate() -> Statement:
+    """The last coefficient is the product of the roots times the first."""
+    m, k, c, s, h = scalars("m k c s h")
+    first, _, last = (form.substitute({"M": m, "K": k, "C": c}) for form in ONE_LATE)
+    words = (
+        "for all numbers m, k, c, h > 0 with hk >= c, one coordinate and the position error one "
+        f"sample late: the two roots have a product ({last})/({first}) of one or more, so that "
+        "some solution does not tend to 0"
+    )
+    return Statement(
+        "variational",
+        "section_4_instantaneous_necessary",
+        {"PROVED": Case("PROVED", words, (f"{last} >= {first}",))},
+        symbols=dict.fromkeys("mkch", "positive") | {"s": "nonnegative"},
+        given=(str(h * k - c - s),),
+    )
+
+
+STATEMENTS: tuple[Statement, ...] = (
+    *simulated.STATEMENTS,
+    _too_late(),
+    _one_late(),
+    _one_coordinate(),
+    _delay(),
+)

@@ -6,12 +6,13 @@ from collections.abc import Callable, Mapping
 
 from verification.verdict import Decision
 
-from . import continuous, discrete, framework, late, noise
+from . import continuous, discrete, framework, late, noise, schemes
 
 DECISIONS: Mapping[str, Callable[[], Decision]] = {
     **framework.DECISIONS,
     **continuous.DECISIONS,
     **noise.DECISIONS,
     **discrete.DECISIONS,
+    **schemes.DECISIONS,
     **late.DECISIONS,
 }
