@@ -17,6 +17,7 @@ from typing import Any
 from sensortrack.networks import Network
 from verification.adversary.small_graphs import connected_graphs
 from verification.certificates.make import certificate
+from verification.exact.solving import solved
 from verification.exact.spectral_gap import connectivity_bracket
 
 LAMBDA_DIGITS = 1000
@@ -204,8 +205,6 @@ def _signs(
 
 def _potential(cut: Cut, edges: list[tuple[int, int]], demand: list[Fraction]) -> list[Fraction]:
     """Electrical potentials inside the two sides that meet the demands (the smallest flow)."""
-    import flint
-
     n = cut.network.n
     rows = [[Fraction(0)] * n for _ in range(n)]
     for i, j in edges:
@@ -215,13 +214,10 @@ def _potential(cut: Cut, edges: list[tuple[int, int]], demand: list[Fraction]) -
     for side in (True, False):  # ground one node of each side
         first = next(i for i in range(n) if (i in cut.inside) == side)
         rows[first][first] += 1
-    exact = flint.fmpq_mat([[flint.fmpq(x.numerator, x.denominator) for x in row] for row in rows])
-    wanted = flint.fmpq_mat([[flint.fmpq(d.numerator, d.denominator)] for d in demand])
-    try:
-        solution = exact.solve(wanted)
-    except ZeroDivisionError:  # a side in pieces: not a cut that matters
+    potential = solved(rows, demand)
+    if potential is None:  # a side in pieces: not a cut that matters
         return [Fraction(2 * i) for i in range(n)]
-    return [Fraction(int(solution[i, 0].p), int(solution[i, 0].q)) for i in range(n)]
+    return list(potential)
 
 
 def _graphs(largest: int) -> Iterator[Network]:

@@ -20,6 +20,11 @@ from verification.systems.variational.claims.witnesses import derivation
 from verification.verdict import Verdict
 
 GAINS = ("M", "K", "C")
+SAID = {
+    Verdict.PROVED: {"PROVED"},
+    Verdict.CORRECTED: {"PROVED", "REFUTED"},
+    Verdict.REFUTED: {"REFUTED"},
+}
 
 
 def arrays(three):
@@ -55,8 +60,7 @@ def test_every_certificate_of_a_decision_is_valid_and_matches_its_verdict(claim)
         check.check_document(document, statements())["verdict"]
         for document in decision.certificates.values()
     }
-    wanted = {Verdict.PROVED: {"PROVED"}, Verdict.CORRECTED: {"PROVED", "REFUTED"}}
-    assert verdicts == wanted[decision.verdict]
+    assert verdicts == SAID[decision.verdict]
     assert decision.reason
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 from verification.verdict import Decision
 
-from . import continuous, discrete, framework, late, noise, schemes
+from . import continuous, discrete, framework, late, noise, schemes, simulated
 
 DECISIONS: Mapping[str, Callable[[], Decision]] = {
     **framework.DECISIONS,
@@ -14,5 +14,6 @@ DECISIONS: Mapping[str, Callable[[], Decision]] = {
     **noise.DECISIONS,
     **discrete.DECISIONS,
     **schemes.DECISIONS,
+    **simulated.DECISIONS,
     **late.DECISIONS,
 }
