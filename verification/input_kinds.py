@@ -35,7 +35,8 @@ class Setting:
     network : Network or None
         The network of ``--graph``.
     size : int
-        Rows of the question's matrices; 1 if all of them are given as numbers.
+        Rows of the question's matrices; where all of them are given as numbers, that of its
+        vectors, else 1.
     """
 
     network: Network | None
@@ -162,6 +163,29 @@ def _by_node(name: str, data: Any, setting: Setting) -> tuple[Fraction, ...]:
     return tuple(data[node] for node in network.names)
 
 
+def _planar(name: str, data: Fraction | Rows, _: Setting) -> Rows:
+    """A matrix of two coordinates; a number as that multiple of the identity."""
+    if isinstance(data, tuple) and len(data) != 2:
+        raise InputError(name, f"{len(data)} x {len(data)}", "two coordinates, 2 x 2, are needed")
+    return _multiple(name, data, Setting(None, 2))
+
+
+def _vector(name: str, given: object) -> tuple[Fraction, ...]:
+    if not isinstance(given, list):
+        return (_number(name, given),)
+    if not given:
+        raise InputError(name, "an empty list", "a number for each coordinate is needed")
+    return tuple(_entry(name, f"number {i}", value) for i, value in enumerate(given, start=1))
+
+
+def _coordinates(name: str, data: tuple[Fraction, ...], setting: Setting) -> tuple[Fraction, ...]:
+    """One number a coordinate."""
+    if len(data) != setting.size:
+        needed = f"{setting.size} are needed, one a coordinate of the matrices"
+        raise InputError(name, f"{len(data)} numbers", needed)
+    return data
+
+
 def _as_read(_: str, data: Any, __: Setting) -> Any:
     return data
 
@@ -169,5 +193,7 @@ def _as_read(_: str, data: Any, __: Setting) -> Any:
 KINDS: Mapping[str, Kind] = {
     "number": Kind('a number (0.1, "1/3")', _number, _as_read),
     "matrix": Kind("a number or a list of rows", _matrix, _multiple),
+    "planar matrix": Kind("a number or two rows of two numbers", _matrix, _planar),
+    "vector": Kind("a number or a list of numbers", _vector, _coordinates),
     "node numbers": Kind("a number, a list or {node: number}", _node_numbers, _by_node),
 }

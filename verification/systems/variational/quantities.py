@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from verification.answers import Condition, Input, Quantity
 
+from .damping import best_damping
 from .delays import delay_step_limit
+from .moving import steady_offset
 from .noise_gains import noise_gain
 from .numbers import abscissa, energy_ratio, spectral_radius
 from .peak_gains import peak_gain
@@ -17,6 +19,10 @@ GAINS = (
 )
 STEP = Input("h", "number", "sampling period, above 0", "s")
 DELAY = Input("d", "number", "samples by which the position error is late, a whole number")
+PLANAR_GAINS = tuple(
+    Input(gain.name, "planar matrix", gain.meaning, gain.unit) for gain in GAINS[:2]
+)
+ACCELERATION = Input("acceleration", "vector", "constant acceleration of the target", "m/s^2")
 
 QUANTITIES = (
     Quantity("step_limit", "supremum of h with (20) Schur stable", GAINS, step_limit, True),
@@ -52,6 +58,20 @@ QUANTITIES = (
     ),
     Quantity(
         "peak_gain", "H-infinity norms of the same three maps", (*GAINS, STEP), peak_gain, False
+    ),
+    Quantity(
+        "steady_offset",
+        "position error at which (24) settles behind a constant acceleration",
+        (*GAINS, STEP, ACCELERATION),
+        steady_offset,
+        False,
+    ),
+    Quantity(
+        "best_damping",
+        "[C, abscissa] of the continuous estimator with the fastest decay, two coordinates",
+        PLANAR_GAINS,
+        best_damping,
+        False,
     ),
 )
 
