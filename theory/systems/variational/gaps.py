@@ -7,6 +7,23 @@ from ...claims import Gap
 GAPS: tuple[Gap, ...] = (
     Gap(
         "Sanyal & Eslamiat, section 1",
+        "minimum-energy filters can only be solved approximately, which speaks for this estimator",
+        "a nonlinear model: here measurements and motion are linear, and the minimum-energy filter "
+        "is a Kalman filter in closed form",
+    ),
+    Gap(
+        "Sanyal & Eslamiat, section 2, citing Robbins",
+        "the network is strongly connected by Robbins' theorem",
+        "an orientation of the links: that theorem is about one-way links, and with links that "
+        "carry both ways strong connection is the assumed path between any two sensors",
+    ),
+    Gap(
+        "Sanyal & Eslamiat, (3)",
+        "the measured relative velocity is the true one plus itself",
+        "a symbol for the velocity noise; it is read as the true velocity plus that noise",
+    ),
+    Gap(
+        "Sanyal & Eslamiat, section 1",
         "relative velocities can be obtained by filtering relative positions",
         "the filter; the backward difference, which the simulations offer, is one reading",
     ),

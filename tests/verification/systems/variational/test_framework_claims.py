@@ -92,6 +92,16 @@ def test_the_repaired_energy_never_grows_in_numbers(seed):
     assert (np.diff(levels) <= 1e-12).all()
 
 
+@pytest.mark.parametrize("h, grows", [(1.9, False), (2.1, True)])
+def test_the_energy_of_the_newer_position_falls_up_to_twice_c_over_k(h, grows):
+    """M = K = C = 1: the worst one-step ratio of that energy, over a circle of states."""
+    angle = np.linspace(0, np.pi, 2001)
+    y, u = np.cos(angle), np.sin(angle)
+    v = (u - h * y) / (1 + h)
+    z = y + h * v
+    assert bool(((v * v + z * z) / (u * u + y * y)).max() > 1 + 1e-9) == grows
+
+
 def test_velocity_noise_is_added_in_a_simulation():
     """Seeded: the sample variance is above that of the noise by more than four deviations."""
     rng, h, steps = np.random.default_rng(1), 0.5, 200_000

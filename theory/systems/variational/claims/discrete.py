@@ -30,6 +30,20 @@ ENERGY = Claim(
     assumes=(GAINS, DAMPING, STEP, NOISELESS),
 )
 
+PAIRING = Claim(
+    id="variational.discrete_energy_pairing",
+    system="variational",
+    source="Sanyal & Eslamiat, after (23), the potential term read at the newer position",
+    title="The discrete estimator never increases the energy of its newer position",
+    statement="Along every solution of (20), kinetic term at one index plus potential term at the "
+    "next is not larger a sample later.",
+    formula=r"\mathcal{T}(u_{k+1}) + \mathcal{U}(x_{k+2}) \le \mathcal{T}(u_k) + "
+    r"\mathcal{U}(x_{k+1})",
+    sense="threshold",
+    assumes=(GAINS, DAMPING, STEP, NOISELESS),
+    printed="every h > 0",
+)
+
 STABILITY = Claim(
     id="variational.discrete_stability",
     system="variational",
@@ -42,4 +56,4 @@ STABILITY = Claim(
     printed="every h > 0",
 )
 
-CLAIMS = (PROPOSITION, ENERGY, STABILITY)
+CLAIMS = (PROPOSITION, ENERGY, PAIRING, STABILITY)

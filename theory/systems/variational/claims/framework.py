@@ -46,6 +46,17 @@ KINEMATICS = Claim(
     assumes=(SIGNS, WEIGHTS, NOISELESS),
 )
 
+KINEMATICS_MEASURED = Claim(
+    id="variational.eq_8_kinematics_measured",
+    system="variational",
+    source="Sanyal & Eslamiat, (8) with (6), (7) from the measurements (3)",
+    title="With noise, too, the measured position error changes at the measured rate",
+    statement="With the measured x of (6) and the measured u of (7), the derivative of x is u.",
+    formula=r"\dot x_m = u_m",
+    sense="equality",
+    assumes=(SIGNS, WEIGHTS),
+)
+
 NEIGHBOURS = Claim(
     id="variational.section_2_neighbours",
     system="variational",
@@ -72,4 +83,4 @@ BRIDGES = Claim(
     printed="no bridge",
 )
 
-CLAIMS: tuple[Claim, ...] = (OBSERVED, ERRORS, KINEMATICS, NEIGHBOURS, BRIDGES)
+CLAIMS: tuple[Claim, ...] = (OBSERVED, ERRORS, KINEMATICS, KINEMATICS_MEASURED, NEIGHBOURS, BRIDGES)

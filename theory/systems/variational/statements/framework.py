@@ -76,6 +76,21 @@ def _errors() -> Statement:
     )
 
 
+def _kinematics_measured() -> Statement:
+    words = (
+        "with the measured x + p and u + n, p and n being the averaged noises of (3), x' = u and "
+        "q = p': the derivative of the measured position error, u + q, differs from the measured "
+        "velocity error by q - n, which only noises with p' = n make zero"
+    )
+    return Statement(
+        "variational",
+        "eq_8_kinematics_measured",
+        {"REFUTED": Case("REFUTED", words, ("d + q - (u + n) == q - n",))},
+        symbols=dict.fromkeys("dqun", "vector: n"),
+        given=("d - u",),
+    )
+
+
 def _kinematics() -> Statement:
     return _universal(
         "eq_8_kinematics",
@@ -92,6 +107,7 @@ STATEMENTS: tuple[Statement, ...] = (
     *_observed(),
     _errors(),
     _kinematics(),
+    _kinematics_measured(),
     _placed(
         "section_2_neighbours",
         "three sensors at these places communicate within the range r along the path p0 - p1 - p2 "

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from ....algebra.noncommuting import letters, scalars
 from ....statements import Case, Statement
+from .common import ANY_GAINS, EQUATION, HALF, C, K, energy, h
 from .late import basis, late_step
 
 
@@ -66,4 +68,30 @@ def _unsymmetric_repair() -> Statement:
     )
 
 
-STATEMENTS: tuple[Statement, ...] = (_action(), _unsymmetric(), _unsymmetric_repair())
+def _pairing() -> Statement:
+    """From the y with K y = -C v, (20) repeats v: the position alone moves, by h v."""
+    v, y, z = letters("v y z")
+    (q,) = scalars("q")
+    words = (
+        "for all M, K, C > 0 of any size, every h > 0 and every v with q = v'(hK - 2C)v > 0: (20) "
+        "leads from the newer position y = -K^{-1} C v and the velocity error v to z = y + hv and "
+        "v, and the energy 1/2 v'Mv + 1/2 y'Ky of the newer position grows by hq/2"
+    )
+    step = EQUATION.substitute({"x": y, "u": v, "v": v})
+    growth = energy(z, v) - energy(y, v)
+    surplus = v.T * (h * K - 2 * C) * v - q
+    return Statement(
+        "variational",
+        "discrete_energy_pairing",
+        {"REFUTED": Case("REFUTED", words, (f"{step} == 0", f"{growth} == {HALF * (h * q)}"))},
+        symbols=ANY_GAINS | {"q": "positive"} | dict.fromkeys("vyz", "vector: n"),
+        given=(str(K * y + C * v), str(z - y - h * v), str(surplus)),
+    )
+
+
+STATEMENTS: tuple[Statement, ...] = (
+    _action(),
+    _unsymmetric(),
+    _unsymmetric_repair(),
+    _pairing(),
+)

@@ -74,6 +74,21 @@ def kinematics() -> Decision:
     )
 
 
+def kinematics_measured() -> Decision:
+    """Noise of the position is not the integral of that of the velocity."""
+    witness = [derivation((), ("1", "0", "1"))]
+    document = certificate("variational", "eq_8_kinematics_measured", {}, witness, case="REFUTED")
+    return Decision(
+        verdict=Verdict.REFUTED,
+        reason="The two sides differ by the derivative of the position noise less the velocity "
+        "noise, as an identity: a constant velocity noise is enough.",
+        printed="x' = u",
+        sharp="x' = u + q - n, q the derivative of the averaged position noise, n that of (7)",
+        margin_text="wrong by q - n",
+        certificates={"variational.eq_8_kinematics_measured": document},
+    )
+
+
 def neighbours() -> Decision:
     """A path of three sensors is connected and its ends have one neighbour."""
     return _placed(
@@ -134,6 +149,7 @@ DECISIONS: Mapping[str, Callable[[], Decision]] = {
     "variational.eq_1_observed_by": observed_by,
     "variational.eq_6_errors": errors,
     "variational.eq_8_kinematics": kinematics,
+    "variational.eq_8_kinematics_measured": kinematics_measured,
     "variational.section_2_neighbours": neighbours,
     "variational.section_2_two_edge_connected": two_edge_connected,
 }

@@ -73,6 +73,37 @@ def unsymmetric() -> Decision:
     )
 
 
+def pairing() -> Decision:
+    """The energy of the newer position falls up to hK = C + C' and no further."""
+    witness = [
+        derivation((), ("-h", "0", "1")),
+        derivation(
+            (),
+            ("1/2*T(z)*K", "1", "1"),
+            ("1/2", "1'", "K*(y + h*v)"),
+            ("1/2*h*T(v)", "0", "1"),
+            ("1/2*h", "0'", "v"),
+            ("1/2*h", "2", "1"),
+        ),
+    ]
+    refuted = certificate("variational", "discrete_energy_pairing", {}, witness, case="REFUTED")
+    return Decision(
+        verdict=Verdict.CORRECTED,
+        reason="Where v'(hK - 2C)v > 0, the state with K y = -C v raises this energy by half of "
+        "h times that number in one step, as an identity for all gains.",
+        printed="every h > 0",
+        sharp="h <= 2/lambda_max(C^-1 K)",
+        sharp_value=2.0,
+        margin_text="h = 2 at M = K = C = 1, against stability up to 3.2361",
+        repair="The energy of the newer position falls in every step while C + C' - hK > 0.",
+        repair_formula=r"hK \prec C + C^{\mathsf T}",
+        certificates={
+            "variational.discrete_energy_pairing": refuted,
+            "variational.discrete_energy_pairing_repair": _repair(),
+        },
+    )
+
+
 def _turning() -> Iterator[tuple[Rows, dict[str, Any]]]:
     """Dampings d I + r (turn), for which (20) is certified not to be stable."""
     for rotation in ROTATIONS:
@@ -124,5 +155,6 @@ def _shown(rows: Rows) -> str:
 
 DECISIONS: Mapping[str, Callable[[], Decision]] = {
     "variational.eq_21_action": action,
+    "variational.discrete_energy_pairing": pairing,
     "variational.discrete_stability_unsymmetric": unsymmetric,
 }
