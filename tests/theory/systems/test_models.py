@@ -13,6 +13,7 @@ from theory.systems.variational import SYSTEM as VARIATIONAL
 from theory.systems.variational.statements.common import (
     PRINTED,
     SYMMETRIC,
+    centred_dissipation,
     discrete_equation,
     dissipation,
     energy,
@@ -37,6 +38,8 @@ def form_of(tree: Tree, leaves: Mapping[Tree, Form]) -> Form:
             return form_of(left, leaves) - form_of(right, leaves)
         case ("*", left, right):
             return form_of(left, leaves) * form_of(right, leaves)
+        case ("/", left, ("number", number)):
+            return form_of(left, leaves) * (1 / number)
         case ("call", "T", inner):
             return form_of(inner, leaves).T
     raise AssertionError(tree)
@@ -54,6 +57,14 @@ def test_printed_recursion_of_the_system_is_the_derived_one() -> None:
     sides = [form_of(parse(side), known) for side in (law.left, law.right)]
     assert not (sides[0] - sides[1] - PRINTED).terms
     assert not (sides[1] - sides[0] - discrete_equation(lagrangian, dissipation)).terms
+
+
+def test_second_order_recursion_of_the_system_is_the_derived_one() -> None:
+    law = VARIATIONAL.law("(20) by the trapezoidal rule")
+    known = leaves(u=V) | {parse("next(u)"): U, parse("next(x)"): X}
+    sides = [form_of(parse(side), known) for side in (law.left, law.right)]
+    derived = discrete_equation(lagrangian, centred_dissipation)
+    assert not (sides[1] - sides[0] - derived).terms
 
 
 @pytest.mark.parametrize("equation, form", [("(11)", lagrangian(X, U)), ("(14)", energy(X, U))])

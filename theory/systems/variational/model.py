@@ -22,6 +22,10 @@ SIGNALS = (
     Signal("v_i", (3,), "m/s", "inertial", "velocity of sensor i"),
     Signal("b_0i", (3,), "m", "inertial", "position of sensor i relative to the target"),
     Signal("v_0i", (3,), "m/s", "inertial", "velocity of sensor i relative to the target"),
+    Signal("chi_i", (3,), "m", "inertial", "noise of the measured relative position, sensor i"),
+    Signal("nu_i", (3,), "m/s", "inertial", "noise of the measured relative velocity, sensor i"),
+    Signal("bm_0i", (3,), "m", "inertial", "measured position of sensor i relative to the target"),
+    Signal("vm_0i", (3,), "m/s", "inertial", "measured velocity of sensor i, relative"),
     Signal("b_hat", (3,), "m", "inertial", "estimate of the target's position"),
     Signal("v_hat", (3,), "m/s", "inertial", "estimate of the target's velocity"),
     Signal("x", (3,), "m", "inertial", "position error, from what the sensors measure"),
@@ -42,6 +46,8 @@ LAWS = (
     Law("b_0i", "b_i - b", "(1)"),
     Law("v_0i", "v_i - v", "(2), difference"),
     Law("v_0i", "d(b_0i)", "(2), derivative"),
+    Law("bm_0i", "b_0i + chi_i", "(3), position"),
+    Law("vm_0i", "v_0i + nu_i", "(3), velocity"),
     Law("x", "b_hat - sum(lambda_i*(b_i - b_0i))", "(6)"),
     Law("u", "v_hat - sum(lambda_i*(v_i - v_0i))", "(7)"),
     Law("d(x)", "u", "(8)"),
@@ -50,8 +56,12 @@ LAWS = (
     Law("M*d(u)", "-C*u - K*x", "(12), last line"),
     Law("E", "(T(u)*M*u + T(x)*K*x)/2", "(14)"),
     Law("u", "(next(x) - x)/h", "(19)"),
+    Law("x", "b_hat - sum(lambda_i*(b_i - bm_0i))", "(6), measured: reading A of the noise"),
+    Law("u", "v_hat - sum(lambda_i*(v_i - vm_0i))", "(7), measured: reading A of the noise"),
+    Law("next(x)", "x + h*u", "(17), propagated: reading B of the noise"),
     Law("next(b_hat)", "b_hat + h*v_hat", "(20), first line"),
     Law("(M + h*C)*next(u)", "M*u - h*K*next(x)", "(20), last line"),
+    Law("(M + h*C/2)*next(u)", "(M - h*C/2)*u - h*K*next(x)", "(20) by the trapezoidal rule"),
 )
 
 GUARDS = (
