@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 
@@ -66,3 +66,38 @@ class Condition:
     summary: str
     inputs: tuple[Input, ...]
     answer: Callable[[Mapping[str, Any]], Answer]
+
+
+@dataclass(frozen=True)
+class Designed:
+    """What `design` chose.
+
+    Parameters
+    ----------
+    gains : mapping of str to rational or rows, optional
+        Valid as ``--params`` of the system's questions; empty where nothing was found.
+    objective : str
+        The sense in which the choice is the best.
+    bound : mapping of str to float, optional
+        What the certificate proves of the choice, by name.
+    verdict : str, optional
+    certificate : dict, optional
+    notes : tuple of str, optional
+    """
+
+    gains: Mapping[str, Any] = field(default_factory=dict)
+    objective: str = ""
+    bound: Mapping[str, Any] = field(default_factory=dict)
+    verdict: str = "UNDECIDED"
+    certificate: dict[str, Any] | None = None
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Design:
+    """Something `design` chooses, known by the inputs that it is given."""
+
+    name: str
+    summary: str
+    inputs: tuple[Input, ...]
+    answer: Callable[[Mapping[str, Any]], Designed]

@@ -37,6 +37,26 @@ def require_target(path: Path, name: str) -> None:
         raise InputError(name, found, "another is needed")
 
 
+def require_folder(folder: Path) -> None:
+    """Refuse a folder that holds something or cannot be made.
+
+    Raises
+    ------
+    InputError
+        It is a file, is not empty, or the folder above cannot be written to.
+    """
+    needed = "a new or empty folder is needed"
+    if folder.exists() and not folder.is_dir():
+        raise InputError("--out", f"{folder} is a file", needed)
+    if folder.is_dir() and any(folder.iterdir()):
+        raise InputError("--out", f"{folder} is not empty", needed)
+    parent = folder
+    while not parent.exists():
+        parent = parent.parent
+    if not parent.is_dir() or not os.access(parent, os.W_OK):
+        raise InputError("--out", f"{parent} cannot be written to", "another folder is needed")
+
+
 def write_text(path: Path, text: str) -> None:
     """Write a text file; a reader sees the old file or the new one, never half of one.
 

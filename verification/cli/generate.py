@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from pathlib import Path
 from typing import Any
 
 from sensortrack.errors import InputError
-from verification.files import write_text
+from verification.files import require_folder, write_text
 from verification.input_kinds import brief, nearest
 from verification.inputs import read_inputs
 
@@ -38,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
 
     room = _room(options.system)
     folder = Path(options.out)
-    _require_folder(folder)
+    require_folder(folder)
     n, constants, note = room.constants(_values(options, room), options.coordinates)
     texts = files(source_of(room.STEPPER, n, constants), options.target)
     folder.mkdir(parents=True, exist_ok=True)
@@ -73,16 +72,3 @@ def _values(options: argparse.Namespace, room: Any) -> dict[str, Any]:
     known = {entry.name for entry in room.INPUTS}
     inputs = [e for e in room.INPUTS if e.name in values or not {*values} <= known]
     return read_inputs(inputs, values, network, question).values
-
-
-def _require_folder(folder: Path) -> None:
-    """Refuse a folder that holds something, before anything is computed."""
-    if folder.exists() and not folder.is_dir():
-        raise InputError("--out", f"{folder} is a file", "a new or empty folder is needed")
-    if folder.is_dir() and any(folder.iterdir()):
-        raise InputError("--out", f"{folder} is not empty", "a new or empty folder is needed")
-    parent = folder
-    while not parent.exists():
-        parent = parent.parent
-    if not parent.is_dir() or not os.access(parent, os.W_OK):
-        raise InputError("--out", f"{parent} cannot be written to", "another folder is needed")

@@ -19,12 +19,13 @@ COMMANDS: Mapping[str, str] = {
     "certify": "does a condition hold for my network and numbers?",
     "bound": "the sharp constant for my data, beside the printed one",
     "check": "re-validate certificates with the standard-library checker",
+    "design": "choose gains or steps that carry a certificate",
     "generate": "write the estimator as source: C, Python, NumPy, CasADi",
     "simulate": "run a scenario: tracks, errors, events, figures",
     "report": "build the pages again from what a run left",
     "systems": "list the estimators",
     "claims": "list the printed claims",
-    "quantities": "list what bound and certify can be asked",
+    "quantities": "list what bound, certify and design can be asked",
     "data": "list the real networks that are shipped",
 }
 STATUSES = """\

@@ -1,4 +1,4 @@
-"""``sensortrack quantities``: what `bound` and `certify` can be asked."""
+"""``sensortrack quantities``: what `bound`, `certify` and `design` can be asked."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Iterator
 from typing import Any
 
-from verification.answers import Condition, Input, Quantity
+from verification.answers import Condition, Design, Input, Quantity
 from verification.systems import SYSTEMS
 
 from . import listing
@@ -32,14 +32,24 @@ def _entries(system: str) -> Iterator[dict[str, Any]]:
     questions: tuple[Quantity | Condition, ...] = (*module.QUANTITIES, *module.CONDITIONS)
     for question in questions:
         certified = isinstance(question, Condition) or question.certified
-        yield {
-            "command": "bound" if isinstance(question, Quantity) else "certify",
-            "name": f"{system}.{question.name}",
-            "writes": "certificate" if certified else None,
-            "takes": ", ".join(map(_name, question.inputs)),
-            "inputs": [_described(entry) for entry in question.inputs],
-            "summary": question.summary,
-        }
+        command = "bound" if isinstance(question, Quantity) else "certify"
+        yield _entry(command, f"{system}.{question.name}", certified, question)
+    designs = SYSTEMS[system].design
+    for design in designs.DESIGNS if designs else ():
+        yield _entry("design", system, True, design)
+
+
+def _entry(
+    command: str, name: str, certified: bool, question: Quantity | Condition | Design
+) -> dict[str, Any]:
+    return {
+        "command": command,
+        "name": name,
+        "writes": "certificate" if certified else None,
+        "takes": ", ".join(map(_name, question.inputs)),
+        "inputs": [_described(entry) for entry in question.inputs],
+        "summary": question.summary,
+    }
 
 
 def _name(entry: Input) -> str:

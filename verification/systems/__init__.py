@@ -9,6 +9,7 @@ import pkgutil
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
+from importlib.util import find_spec
 from types import ModuleType
 
 
@@ -28,6 +29,12 @@ class Room:
     def quantities(self) -> ModuleType:
         """The module with ``QUANTITIES`` and ``CONDITIONS``."""
         return import_module(f"{__name__}.{self.name}.quantities")
+
+    @property
+    def design(self) -> ModuleType | None:
+        """The module with ``DESIGNS``, or None where nothing can be chosen."""
+        name = f"{__name__}.{self.name}.design"
+        return import_module(name) if find_spec(name) else None
 
     @property
     def claims(self) -> ModuleType:

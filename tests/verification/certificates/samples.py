@@ -8,6 +8,7 @@ from theory.systems.bearing_dac import lemma_statements
 from theory.systems.variational.statements.late import MOST_DELAY
 from verification.certificates.make import certificate, statements
 from verification.systems.variational.delays import delay_step_limit
+from verification.systems.variational.design import gains_for_decay
 
 PAIR = {"nodes": ["a", "b"], "edges": [[0, 1]]}
 PATH = {"nodes": ["a", "b", "c"], "edges": [[0, 1], [1, 2]], "weights": ["1", "1/2"]}
@@ -169,6 +170,7 @@ def samples():
     for name, inputs, witness, options in EXPLICIT:
         made[f"{name} {len(made)}"] = certificate(*name.split("."), inputs, witness, **options)
     made |= {f"variational.delay_step_limit {d}": late(d) for d in range(MOST_DELAY + 1)}
+    made["variational.design chosen"] = chosen()
     for name in sorted({*statements()} - {key.split()[0] for key in made}):
         made |= {f"{name} decided": entry for entry in decided(name)}
     return made
@@ -178,6 +180,12 @@ def late(d):
     """Step limit with the position error d samples late."""
     gains = dict.fromkeys("MKC", ((Fraction(1),),))
     return delay_step_limit(gains | {"d": Fraction(d)}).certificate
+
+
+def chosen():
+    """Gains for a decay."""
+    wish = {"decay": Fraction(1), "h": Fraction(1, 10), "chi": Fraction(1), "nu": Fraction(1)}
+    return gains_for_decay(wish).certificate
 
 
 def decided(name):

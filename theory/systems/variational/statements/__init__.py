@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ....statements import Statement
-from . import continuous, discrete, framework, late, noise, schemes
+from . import continuous, design, discrete, framework, late, noise, schemes
 
 STATEMENTS: tuple[Statement, ...] = (
     *framework.STATEMENTS,
@@ -12,4 +12,5 @@ STATEMENTS: tuple[Statement, ...] = (
     *discrete.STATEMENTS,
     *schemes.STATEMENTS,
     *late.STATEMENTS,
+    *design.STATEMENTS,
 )

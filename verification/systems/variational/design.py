@@ -1,0 +1,281 @@
+"""Gains for a wanted decay or noise level, and the step at which given gains decay fastest.
+
+All coordinates are alike and only the ratios of the gains matter, so M = 1 and two numbers are
+sought. With a = 1/(1 + hc) and g = h^2 k a, the errors obey z^2 - (1 + a - g) z + a = 0; both roots
+lie within |z| <= r iff a <= r^2 and (1 - r)(1 - a/r) <= g <= (1 + r)(1 + a/r) (Jury).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from sensortrack.errors import InputError
+from verification.answers import Design, Designed, Input
+from verification.certificates.make import certificate
+from verification.exact.evaluate import Rows, identity
+from verification.exact.rationals import above
+from verification.exact.stationary import covariance
+
+from .delays import block
+from .error_systems import error_system
+from .gains import definite_gains, positive_step
+from .numbers import spectral_radius
+from .quantities import GAINS, STEP
+from .steps import decide_step, step_limit
+
+INSIDE = 1e-6
+"""Roots are kept inside the wanted circle by this, so that rounding leaves them there."""
+FASTEST = 1e-3
+"""Least spectral radius that is sought."""
+GRID, COARSE, ROUNDS, HALVINGS = 200, 60, 6, 60
+DIGITS = 14
+SLACK = Fraction(1, 10**12)
+
+DECAY = Input("decay", "number", "wanted: errors fall at least like exp(-decay t)", "1/s")
+CHI = Input("chi", "number", "variance of a measured position, averaged", "m^2", default="1")
+NU = Input("nu", "number", "variance of a measured velocity, averaged", "m^2/s^2", default="1")
+NOISE = Input("noise", "number", "largest variance allowed for a coordinate of the error", "m^2")
+OBJECTIVE = "smallest variance of the velocity estimate among all gains with this decay"
+NONE_FOUND = "no gains with this decay keep the position variance; the smallest found is {:.6g}"
+
+
+@dataclass(frozen=True)
+class Noises:
+    """White noise of the averaged measurements, one coordinate, and the step h."""
+
+    h: float
+    chi: float
+    nu: float
+
+    def of_position(self, a: float, g: float) -> float:
+        """Stationary variance of the position error."""
+        by_position = g * g * (1 + a) * self.chi
+        by_velocity = self.h**2 * ((1 + a) * (1 - a) ** 2 + 2 * a * g) * self.nu
+        return (by_position + by_velocity) / ((1 - a) * g * (2 + 2 * a - g))
+
+    def of_velocity(self, a: float, g: float) -> float:
+        """Stationary variance of the velocity error; it grows with g."""
+        spread = g * (1 + a) * self.nu + 2 * g * g / self.h**2 * self.chi
+        return self.nu + spread / ((1 - a) * (2 + 2 * a - g))
+
+    def quietest(self, a: float) -> float:
+        """The g at which `of_position` has its one minimum."""
+        square, slope = (1 + a) * self.chi, self.h**2 * 2 * a * self.nu
+        rest, width = self.h**2 * (1 + a) * (1 - a) ** 2 * self.nu, 2 + 2 * a
+        bend = square * width + slope
+        return (math.sqrt(rest * rest + bend * rest * width) - rest) / bend
+
+
+def _pull(noises: Noises, a: float, r: float, allowed: float) -> float | None:
+    """The least g with both roots within r and the position variance allowed."""
+    low, high = (1 - r) * (1 - a / r), (1 + r) * (1 + a / r)
+    if noises.of_position(a, low) <= allowed:
+        return low
+    quiet = min(max(noises.quietest(a), low), high)
+    if noises.of_position(a, quiet) > allowed:
+        return None
+    for _ in range(HALVINGS):
+        middle = (low + quiet) / 2
+        if noises.of_position(a, middle) > allowed:
+            low = middle
+        else:
+            quiet = middle
+    return quiet
+
+
+def _smallest(noises: Noises, r: float, allowed: float) -> tuple[float, float] | None:
+    """The a and g of the smallest velocity variance, on a grid that is refined around its best."""
+    low, high = 0.0, r * r
+    best: tuple[float, float, float] | None = None
+    for _ in range(ROUNDS):
+        for a in np.linspace(low, high, GRID)[1:].tolist():
+            g = _pull(noises, a, r, allowed)
+            if g is not None:
+                entry = (noises.of_velocity(a, g), a, g)
+                best = entry if best is None else min(best, entry)
+        if best is None:
+            return None
+        width = (high - low) / GRID * 2
+        low, high = max(0.0, best[1] - width), min(r * r, best[1] + width)
+    return best and best[1:]
+
+
+def gains_for_decay(values: Mapping[str, Any]) -> Designed:
+    """Gains of the quietest velocity estimate among those with the wanted decay.
+
+    Parameters
+    ----------
+    values : mapping
+        ``decay`` (1/s), ``h`` (s), ``chi`` (m^2), ``nu`` (m^2/s^2): rationals, the variances those
+        of the averaged measurements, one coordinate; ``noise`` (m^2), where the variance of the
+        position error is limited.
+
+    Returns
+    -------
+    Designed
+        Without gains where none with this decay keep the limit.
+
+    Raises
+    ------
+    InputError
+        decay, h or noise is not positive, decay is out of one step's reach, or a variance is
+        negative.
+    """
+    h, chi, nu = _setting(values)
+    for name in ("decay", "noise"):
+        if values.get(name, 1) <= 0:
+            raise InputError(name, str(values[name]), "a number above 0 is needed")
+    circle = math.exp(-float(values["decay"]) * float(h))
+    if not FASTEST < circle < 1 - 10 * INSIDE:
+        ends = (-math.log(x) / float(h) for x in (1 - 10 * INSIDE, FASTEST))
+        given = f"{values['decay']}, with h = {h}"
+        raise InputError("decay", given, "{:.3g} to {:.3g} is needed".format(*ends))
+    noises = Noises(float(h), float(chi), float(nu))
+    allowed = float(values["noise"]) * (1 - INSIDE) if "noise" in values else math.inf
+    found = _smallest(noises, circle * (1 - INSIDE), allowed)
+    if found is None:
+        least = min(
+            noises.of_position(a, noises.quietest(a))
+            for a in np.linspace(0.0, circle**2, GRID)[1:].tolist()
+        )
+        return Designed(objective=OBJECTIVE, notes=(NONE_FOUND.format(least),))
+    return _certified(*found, circle, values["decay"], (h, chi, nu))
+
+
+def _setting(values: Mapping[str, Any]) -> tuple[Fraction, Fraction, Fraction]:
+    for name in ("chi", "nu"):
+        if values[name] < 0:
+            raise InputError(name, str(values[name]), "a variance of 0 or more is needed")
+    if values["chi"] == values["nu"] == 0:
+        raise InputError("chi", "0, and nu is 0", "one of the two noises is needed")
+    return positive_step(values), values["chi"], values["nu"]
+
+
+def _rounded(x: float) -> Fraction:
+    """A decimal of a few digits, so that a person can type it."""
+    return Fraction(f"{x:.{DIGITS}g}")
+
+
+def _certified(
+    a: float,
+    g: float,
+    circle: float,
+    decay: Fraction,
+    setting: tuple[Fraction, Fraction, Fraction],
+) -> Designed:
+    """The gains of a and g, with the certificate of their decay and variances."""
+    h, chi, nu = setting
+    c, k = _rounded((1 / a - 1) / float(h)), _rounded(g / (float(h) ** 2 * a))
+    gains: dict[str, Rows] = {"M": identity(1), "K": ((k,),), "C": ((c,),)}
+    spread = _covariance(gains, h, chi, nu)
+    noise, speed = (Fraction(above(x * (1 + SLACK))) for x in (spread[0][0], spread[1][1] + nu))
+    # exp is within one unit in the last place: two below are below the wanted circle
+    r = Fraction(math.nextafter(math.nextafter(circle, 0.0), 0.0))
+    numbers = {"h": h, "r": r, "chi": chi, "nu": nu, "noise": noise, "speed": speed}
+    rows = (identity(1), block(1, 2, 0), block(1, 2, 1), spread)
+    witness = [{"kind": "matrix", "rows": entry} for entry in rows]
+    document = certificate("variational", "design", {**gains, **numbers}, witness)
+    return Designed(
+        gains={"M": Fraction(1), "K": k, "C": c, "h": h},
+        objective=OBJECTIVE,
+        bound={"decay": float(decay), "position": float(noise), "velocity": float(speed)},
+        verdict="PROVED",
+        certificate=document,
+        notes=(
+            "the same numbers serve every coordinate, as multiples of the identity",
+            "decay and both variances are certified; that no other gains do better is a search's",
+        ),
+    )
+
+
+def _covariance(gains: Mapping[str, Rows], h: Fraction, chi: Fraction, nu: Fraction) -> Rows:
+    """Stationary covariance of (e, w), one coordinate."""
+    system = error_system(gains, h)
+    total: list[list[Fraction]] = [[Fraction(0)] * 2, [Fraction(0)] * 2]
+    for scale, noise in ((chi, system.b_chi), (nu, system.b_nu)):
+        found = covariance(system.a, noise)
+        for i in (0, 1):
+            for j in (0, 1):
+                entry = Fraction(int(found[i, j].p), int(found[i, j].q))
+                total[i][j] += scale * entry / h ** (i + j)  # the system's state is (e, hw)
+    return tuple(map(tuple, total))
+
+
+def step_for_gains(values: Mapping[str, Any]) -> Designed:
+    """The step at which the errors of given gains shrink most in one sample.
+
+    Parameters
+    ----------
+    values : mapping
+        ``M``, ``K``, ``C``: exact symmetric positive definite matrices of one size.
+
+    Returns
+    -------
+    Designed
+
+    Raises
+    ------
+    InputError
+        A gain is not symmetric positive definite.
+    """
+    gains = definite_gains(values)
+    objective = "smallest spectral radius of one step: most decay a sample"
+    limit = step_limit(gains)
+    if limit.value is None:
+        return Designed(objective=objective, notes=limit.notes)
+    step = _rounded_step(gains, float(limit.value))
+    decided = decide_step({**gains, "h": step})
+    radius = spectral_radius({**gains, "h": step})
+    bound = {"radius": radius.upper or radius.value, "step_limit": float(limit.value)}
+    return Designed(
+        gains={**gains, "h": step},
+        objective=objective,
+        bound=bound,
+        verdict=decided.verdict,
+        certificate=decided.certificate,
+        notes=radius.notes,
+    )
+
+
+def _rounded_step(gains: Mapping[str, Rows], limit: float) -> Fraction:
+    """The best of a grid that is refined around its best step, to six digits."""
+    m, k, c = (np.array([[float(x) for x in row] for row in gains[n]]) for n in "MKC")
+    one = np.eye(len(m))
+
+    def radius(h: float) -> float:
+        damped = np.linalg.inv(m + h * c)
+        pull, keep = damped @ k, damped @ m
+        step = np.block([[one, h * one], [-h * pull, keep - h * h * pull]])
+        return float(np.abs(np.linalg.eigvals(step)).max())
+
+    low, high, best = 0.0, limit, limit / 2
+    for _ in range(ROUNDS):
+        steps = np.linspace(low, high, COARSE)[1:-1]
+        best = min(steps, key=radius)
+        width = float(steps[1] - steps[0])
+        low, high = max(0.0, best - width), min(limit, best + width)
+    return Fraction(f"{best:.6g}")
+
+
+VARIANCES = (STEP, CHI, NU)
+DESIGNS = (
+    Design(
+        "gains for a decay",
+        "M, K, C of the quietest velocity estimate with the wanted decay",
+        (DECAY, *VARIANCES),
+        gains_for_decay,
+    ),
+    Design(
+        "gains for a decay and a noise level",
+        "the same, the position variance being limited",
+        (DECAY, NOISE, *VARIANCES),
+        gains_for_decay,
+    ),
+    Design("step for gains", "h of the fastest decay a sample", GAINS, step_for_gains),
+)
