@@ -144,8 +144,11 @@ def average(views: Sequence[View], weights: Mapping[str, float]) -> Average:
     ----------
     Sanyal & Eslamiat, (5) to (7); rescaling is what (5) asks for when the set changes.
     """
+    _refuse([view.sensor for view in views], weights)
+    # summed in the order of the weights: the order of the reports does not change a bit
+    place = {name: k for k, name in enumerate(weights)}
+    views = sorted(views, key=lambda view: place[view.sensor])
     names = [view.sensor for view in views]
-    _refuse(names, weights)
     finite = [bool(np.isfinite(view.target).all()) for view in views]
     seeing = [view for view, good in zip(views, finite, strict=True) if good]
     skipped = tuple(name for name, good in zip(names, finite, strict=True) if not good)

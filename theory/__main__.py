@@ -34,15 +34,12 @@ def statements_text() -> str:
 
 def generated_files() -> dict[str, str]:
     """Every generated file, by its path below the root of a checkout."""
-    from importlib import import_module
-
-    from .codegen.emit import STEPPERS, committed
+    from .codegen.emit import STEPPERS, committed, stepper_of
     from .codegen.printing import source_of
 
     made = {TARGET: statements_text()}
     for name in STEPPERS:
-        stepper = import_module(f"theory.systems.{name}.stepper").STEPPER
-        texts = committed(source_of(stepper))
+        texts = committed(source_of(stepper_of(name)))
         made |= {f"{SOURCES}/{file}": text for file, text in texts.items()}
     return made
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import inspect
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -12,6 +13,8 @@ from types import ModuleType
 
 import numpy as np
 from numpy.typing import NDArray
+
+from sensortrack.errors import InputError
 
 from .build import kernel
 
@@ -56,13 +59,19 @@ class Stepper:
         -------
         ndarray
             The resulting state, flat.
+
+        Raises
+        ------
+        InputError
+            A group has not as many numbers as its layout.
         """
+        self._fit(name, groups)
         if self.library is None:
             return np.array(getattr(self.module, name)(*groups))
-        given = [np.ascontiguousarray(group, dtype=np.float64) for group in groups]
+        arrays = [np.ascontiguousarray(group, dtype=np.float64) for group in groups]
         found = np.empty(len(self.module.STATE))
         function = self._function(name)
-        function(*(ctypes.c_void_p(array.ctypes.data) for array in (*given, found)))
+        function(*(ctypes.c_void_p(array.ctypes.data) for array in (*arrays, found)))
         return found
 
     def run(self, context: Floats, state: Floats, inputs: Floats) -> Floats:
@@ -79,7 +88,14 @@ class Stepper:
         -------
         ndarray
             Samples by the numbers of one state.
+
+        Raises
+        ------
+        InputError
+            A group, or a row of inputs, has not as many numbers as its layout.
         """
+        blank = np.empty(len(self.module.INPUT))
+        self._fit("step", (context, state, inputs[0] if len(inputs) else blank))
         if self.library is None:
             step, rows = self.module.step, []
             gains, now = context.tolist(), tuple(state.tolist())
@@ -93,6 +109,15 @@ class Stepper:
         addresses = [array.ctypes.data for array in (gains, work, given)]
         self._function("run")(*addresses, ctypes.c_size_t(len(given)), found.ctypes.data)
         return found
+
+    def _fit(self, name: str, groups: Sequence[Sequence[float] | Floats]) -> None:
+        layout = _layout(self.module, name)
+        if len(groups) != len(layout):
+            needed = f"{len(layout)} are needed: {', '.join(group for group, _ in layout)}"
+            raise InputError(name, f"{len(groups)} groups", needed)
+        for (group, needed_size), given in zip(layout, groups, strict=True):
+            if len(given) != needed_size:
+                raise InputError(group, f"{len(given)} numbers", f"{needed_size} are needed")
 
     def _function(self, name: str) -> ctypes._NamedFuncPointer:
         assert self.library is not None
@@ -122,6 +147,13 @@ def stepper(system: str) -> Stepper:
     if digest().decode() != module.DIGEST:
         return Stepper(module, None, f"{system}.c and {system}.py are of different versions")
     return Stepper(module, found.library)
+
+
+@cache
+def _layout(module: ModuleType, name: str) -> tuple[tuple[str, int], ...]:
+    """Argument groups of a function, each with its size."""
+    groups = [text.rstrip("_") for text in inspect.signature(getattr(module, name)).parameters]
+    return tuple((group, len(getattr(module, group.upper()))) for group in groups)
 
 
 @cache

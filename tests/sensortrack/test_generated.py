@@ -15,7 +15,6 @@ from sensortrack.generated import variational, variational_numpy
 from sensortrack.kernels.steppers import stepper
 from tests.meta.repository import ROOT
 from theory.__main__ import generated_files
-from theory.codegen.casadi import casadi
 from theory.codegen.emit import files
 from theory.codegen.printing import source_of
 from theory.codegen.vectors import vectors
@@ -54,41 +53,12 @@ def test_source_names_no_date_host_or_folder():
         assert not re.search(r"/home|/root|/work|20\d\d-\d\d", text)
 
 
-@pytest.mark.parametrize("name", sorted(FUNCTIONS))
-def test_floats_numpy_and_compiled_source_agree_bit_by_bit(name):
-    compiled = stepper("variational")
-    for vector in FUNCTIONS[name]:
-        wanted = bits(vector.wanted)
-        assert bits(getattr(variational, name)(*vector.given)) == wanted
-        assert bits(getattr(variational_numpy, name)(*map(np.array, vector.given))) == wanted
-        assert bits(compiled.call(name, *map(np.array, vector.given))) == wanted
-
-
-@pytest.mark.parametrize("name", sorted(FUNCTIONS))
-def test_casadi_agrees_bit_by_bit(name):
-    space = {}
-    exec(casadi(SOURCE), space)
-    function = space[name]()
-    for vector in FUNCTIONS[name]:
-        assert bits(function(*vector.given).full().ravel()) == bits(vector.wanted)
-
-
 def test_lanes_are_independent():
     rows = FUNCTIONS["step"][:5]
     stacked = [np.array(group).T for group in zip(*(row.given for row in rows), strict=True)]
     found = variational_numpy.step(*stacked)
     for lane, row in enumerate(rows):
         assert bits(found[:, lane]) == bits(row.wanted)
-
-
-def test_many_steps_in_c_are_the_same_steps():
-    compiled, rng = stepper("variational"), np.random.default_rng(2)
-    context = np.array(FUNCTIONS["step"][0].given[0])
-    state, inputs = rng.normal(size=9), rng.normal(size=(40, 6))
-    rows, now = compiled.run(context, state, inputs), state
-    for row, given in zip(rows, inputs, strict=True):
-        now = compiled.call("step", context, now, given)
-        assert bits(row) == bits(now)
 
 
 def test_without_a_compiler_the_same_numbers_come_from_floats(monkeypatch):

@@ -4,16 +4,30 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from importlib import import_module
 
 from .c99 import COMPILE, header, implementation
 from .casadi import casadi
 from .printing import ABI, GENERATOR, Source
 from .python import numpy, python
 from .selftest import c_program, python_program, vectors_header
+from .stepper import Stepper
 
 TARGETS = ("python", "numpy", "c", "casadi")
 STEPPERS = ("variational",)
 """Systems whose laws are generated."""
+
+
+def stepper_of(system: str) -> Stepper:
+    """What is generated for a system.
+
+    Parameters
+    ----------
+    system : str
+        One of `STEPPERS`.
+    """
+    found: Stepper = import_module(f"theory.systems.{system}.stepper").STEPPER
+    return found
 
 
 def files(source: Source, target: str) -> Mapping[str, str]:

@@ -78,16 +78,16 @@ def _errors() -> Statement:
 
 def _kinematics_measured() -> Statement:
     words = (
-        "with the measured x + p and u + n, p and n being the averaged noises of (3), x' = u and "
-        "q = p': the derivative of the measured position error, u + q, differs from the measured "
-        "velocity error by q - n, which only noises with p' = n make zero"
+        "with the averaged noise p of the positions and n of the velocities the measured errors "
+        "are x + p and u + n: with x' = d = u and p' = q, the derivative r = d + q of the one "
+        "differs from the other, m = u + n, by q - n, which is zero only for noises with p' = n"
     )
     return Statement(
         "variational",
         "eq_8_kinematics_measured",
-        {"REFUTED": Case("REFUTED", words, ("d + q - (u + n) == q - n",))},
-        symbols=dict.fromkeys("dqun", "vector: n"),
-        given=("d - u",),
+        {"REFUTED": Case("REFUTED", words, ("r - m == q - n",))},
+        symbols=dict.fromkeys("dmnqru", "vector: n"),
+        given=("r - d - q", "m - u - n", "d - u"),
     )
 
 

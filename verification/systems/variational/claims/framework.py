@@ -76,7 +76,7 @@ def kinematics() -> Decision:
 
 def kinematics_measured() -> Decision:
     """Noise of the position is not the integral of that of the velocity."""
-    witness = [derivation((), ("1", "0", "1"))]
+    witness = [derivation((), ("1", "0", "1"), ("-1", "1", "1"), ("1", "2", "1"))]
     document = certificate("variational", "eq_8_kinematics_measured", {}, witness, case="REFUTED")
     return Decision(
         verdict=Verdict.REFUTED,

@@ -1,0 +1,89 @@
+"""Laws of every estimator: purity, order and names of sensors, moved frames, blind sensors."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.laws.cases import ESTIMATORS
+
+EACH = pytest.mark.parametrize("system", sorted(ESTIMATORS))
+SEEDS = st.integers(0, 2**32 - 1)
+
+
+def run(estimator, samples):
+    """The states, one a sample."""
+    states = [estimator.init(samples[0])]
+    for k, views in enumerate(samples[1:], start=1):
+        states.append(estimator.step(k * estimator.h, states[-1], views))
+    return states
+
+
+def bits(states):
+    return [state.flat.tobytes() for state in states]
+
+
+@EACH
+@settings(max_examples=20)
+@given(SEEDS)
+def test_a_step_changes_neither_state_nor_measurements(system, seed):
+    estimator, samples = ESTIMATORS[system].draw(np.random.default_rng(seed))
+    state = estimator.init(samples[0])
+    before = state.flat.tobytes(), [vars(view).copy() for view in samples[1]]
+    after = estimator.step(estimator.h, state, samples[1])
+    assert state.flat.tobytes() == before[0]
+    for view, old in zip(samples[1], before[1], strict=True):
+        assert all(np.array_equal(getattr(view, name), value) for name, value in old.items())
+    assert bits([after]) == bits([estimator.step(estimator.h, state, samples[1])])
+    assert after.flat.dtype == np.float64
+
+
+@EACH
+@settings(max_examples=20)
+@given(SEEDS)
+def test_order_and_names_of_the_sensors_do_not_change_a_bit(system, seed):
+    rng = np.random.default_rng(seed)
+    estimator, samples = ESTIMATORS[system].draw(rng)
+    wanted = bits(run(estimator, samples))
+    shuffled = [[views[i] for i in rng.permutation(len(views))] for views in samples]
+    assert bits(run(estimator, shuffled)) == wanted
+    names = [view.sensor for view in samples[0]]
+    other = dict(zip(names, (f"sensor {k}" for k in rng.permutation(len(names))), strict=True))
+    assert bits(run(*ESTIMATORS[system].renamed(estimator, samples, other))) == wanted
+
+
+@EACH
+@settings(max_examples=20)
+@given(SEEDS)
+def test_what_a_blind_sensor_says_does_not_change_a_bit(system, seed):
+    rng = np.random.default_rng(seed)
+    case = ESTIMATORS[system]
+    estimator, samples = case.draw(rng)
+    away = [samples[0], *([views[0], *views[2:]] for views in samples[1:])]
+    blind = [
+        samples[0],
+        *([views[0], case.blinded(views[1], rng), *views[2:]] for views in samples[1:]),
+    ]
+    assert bits(run(estimator, away)) == bits(run(estimator, blind))
+
+
+@EACH
+@settings(max_examples=20)
+@given(SEEDS)
+def test_a_moved_frame_moves_the_estimates(system, seed):
+    """Turned, shifted, and of constant velocity."""
+    rng = np.random.default_rng(seed)
+    case = ESTIMATORS[system]
+    estimator, samples = case.draw(rng)
+    rotation = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    shift, boost = rng.normal(size=(2, 3))
+    moved = [
+        case.moved(views, rotation, shift, boost, k * estimator.h)
+        for k, views in enumerate(samples)
+    ]
+    for k, (one, other) in enumerate(
+        zip(run(estimator, samples), run(estimator, moved), strict=True)
+    ):
+        place = rotation @ one.position + shift + boost * k * estimator.h
+        assert other.position == pytest.approx(place, rel=1e-9, abs=1e-9)
+        assert other.velocity == pytest.approx(rotation @ one.velocity + boost, rel=1e-9, abs=1e-9)
