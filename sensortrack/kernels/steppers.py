@@ -19,6 +19,8 @@ from sensortrack.errors import InputError
 from .build import kernel
 
 Floats = NDArray[np.float64]
+CROSSING = 400
+"""Operations up to which Python floats are quicker than a call into C with four arrays."""
 GENERATED = Path(__file__).parents[1] / "generated"
 
 
@@ -66,8 +68,16 @@ class Stepper:
             A group has not as many numbers as its layout.
         """
         self._fit(name, groups)
-        if self.library is None:
-            return np.array(getattr(self.module, name)(*groups))
+        if self.library is None or self.module.OPERATIONS[name] <= CROSSING:
+            numbers = [np.asarray(group, dtype=np.float64).tolist() for group in groups]
+            return np.array(getattr(self.module, name)(*numbers), dtype=np.float64)
+        return self.compiled(name, *groups)
+
+    def compiled(self, name: str, *groups: Sequence[float] | Floats) -> Floats:
+        """Call one function of the compiled source; there must be a library.
+
+        Parameters and result are those of `call`, which checks the sizes.
+        """
         arrays = [np.ascontiguousarray(group, dtype=np.float64) for group in groups]
         found = np.empty(len(self.module.STATE))
         function = self._function(name)

@@ -151,6 +151,7 @@ def test_floats_numpy_casadi_and_compiled_source_agree_bit_by_bit(system, functi
         lambda *groups: loaded_numpy(*map(np.array, groups)),
         lambda *groups: in_casadi(*groups).full().ravel(),
         lambda *groups: stepper(system).call(name, *groups),
+        lambda *groups: stepper(system).compiled(name, *groups),
     ]
     loaded_numpy, in_casadi = loaded(numpy(source))[name], loaded(casadi(source))[name]()
     for vector in vectors(source, function):

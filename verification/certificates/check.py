@@ -8,7 +8,7 @@ in statements.json beside this file and is printed; every matrix in it is comput
 witness can make the proof succeed or fail, but never change what is proved. Each kind of witness rests on one
 elementary lemma, proved in docs/verification/lemmas.md. Exit status: 0 all valid, 1 one is not, 2 one is unreadable.
 """
-import argparse, ast, hashlib, json, math, operator, pathlib, re, sys
+import ast, hashlib, json, math, operator, pathlib, re, sys
 from fractions import Fraction
 
 FORMAT = "sensortrack-certificate/1"
@@ -52,10 +52,14 @@ def rows_of(value):
     need(rows and rows[0] and len({*map(len, rows)}) == 1, "no matrix")
     return rows
 
+def mixed(factors, matrices):  # over one denominator: integers are quicker
+    unit = math.lcm(*(x.denominator for rows in matrices for row in rows for x in row))
+    share = math.lcm(*(c.denominator for c in factors))
+    scaled = [[[x.numerator * (unit // x.denominator) for x in row] for row in rows] for rows in matrices]
+    share, c = unit * share, [int(c * share) for c in factors]
+    return [[Fraction(sum(map(operator.mul, c, x)), share) for x in zip(*rows)] for rows in zip(*scaled)]
 def summed(matrices):
-    return matrices[0] if len(matrices) == 1 else [[sum(x[1:], x[0]) for x in zip(*rows)] for rows in zip(*matrices)]
-def mixed(factors, matrices):
-    return summed([m if c == 1 else [[c * x for x in row] for row in m] for c, m in zip(factors, matrices)])
+    return matrices[0] if len(matrices) == 1 else mixed([1] * len(matrices), matrices)
 def product(a, b):
     return [[sum(map(operator.mul, row, column)) for column in zip(*b)] for row in a]
 
@@ -73,7 +77,7 @@ class Poly:
         both = {key: [p.terms[key] for p in (self, other) if key in p.terms] for key in self.terms | other.terms}
         return Poly({key: summed(found) for key, found in both.items()}, self.shape)
     def __sub__(self, other):
-        return self + constant(-1) * other
+        return self + Poly({k: [[-x for x in row] for row in m] for k, m in other.terms.items()}, other.shape)
     def __mul__(self, other):
         scale, products = self.shape == (1, 1), {}
         if other.shape == (1, 1) and not scale:
@@ -99,7 +103,6 @@ class Poly:
     def number(self):
         need(self.shape == (1, 1), "a number is due")
         return self.rows()[0][0]
-
 def matrix(rows, key=((), ())):
     return Poly({key: rows}, (len(rows), len(rows[0])))
 def constant(value):
@@ -293,7 +296,7 @@ class Proof:
         """Positive definite on the whole range, by its coefficients in the basis of ``local``."""
         if self.kinds:
             return self.derive(poly, True, True)
-        need(not (poly - poly.transpose()).terms, "a symmetric matrix is due")
+        need(poly.terms == poly.transpose().terms, "a symmetric matrix is due")
         parts = self.local(poly)
         vital = 0 if self.range is None or self.range[1] is None else len(parts) - 1  # at the closed end
         for k, rows in enumerate(parts):  # the others may be zero
@@ -355,7 +358,7 @@ def schur(proof, a2, a1, a0):
         proof.positive(poly)
 def unstable(proof, a2, a1, a0):
     """The same recursion has a solution (-r)^k x with r >= 1 (intermediate value)."""
-    need(not (a1 - a1.transpose()).terms and not (a0 - a0.transpose()).terms, "a symmetric matrix is due")
+    need(all(a.terms == a.transpose().terms for a in (a1, a0)), "a symmetric matrix is due")
     proof.positive(a2)
     dips(proof, a2 - a1 + a0)
 def pick(values, nodes):
@@ -375,7 +378,6 @@ def clear_part(proof, item, graph, part, gamma, b, f, e):
     else:
         item = fields(item, {"tree": "", "enumeration": "order", "routing": "unit flows"})
         getattr(Cuts(proof, part, gamma, b, f, e), item.pop("kind"))(**item)
-
 def cut_reaches(proof, graph, gamma, b, f, e, strict=False):
     """Some cut has b k <= N or f (b k - N)^2 <= E p; if strict, N > b k."""
     item = proof.take({"cut": "factor nodes" if graph.factors else "nodes"})
@@ -395,7 +397,6 @@ def cut_reaches(proof, graph, gamma, b, f, e, strict=False):
 def cut_drifts(proof, graph, gamma, b):
     """Some cut has N > b k: its disturbance drives its sides apart for ever."""
     cut_reaches(proof, graph, gamma, b, constant(1), constant(0), True)
-
 def run(proof, graph, beta, gamma, x0, x1, t):
     """An admissible disturbance drives the error of x' in -beta B SGN(B'x) + M u from x0 to x1."""
     need(len(graph.parts) == 1, "a connected graph, no product, is due")
@@ -418,7 +419,6 @@ def run(proof, graph, beta, gamma, x0, x1, t):
 
 PREDICATES = {"pd": Proof.positive, "dips": dips, "schur": schur, "unstable": unstable, "run": run,
               "cuts_clear": cuts_clear, "cut_reaches": cut_reaches, "cut_drifts": cut_drifts}
-
 def digest_of(statement):
     return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 def environment(statement, inputs):
@@ -479,19 +479,19 @@ def printable(value):  # a page at most, that plays no tricks with a terminal: n
     return ascii(str(value)[:5000])[1:-1]
 
 def main(argv):
-    parser = argparse.ArgumentParser(prog="check.py", description=__doc__.splitlines()[0])
-    parser.add_argument("files", nargs="+", metavar="FILE")
-    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
-    parser.add_argument("--statements", default=pathlib.Path(__file__).with_name("statements.json"), metavar="FILE")
-    options = parser.parse_args(argv)
+    words, path = [word for word in argv if word != "--json"], pathlib.Path(__file__).with_name("statements.json")
+    if "--statements" in words[:-1]:
+        _, path = words.pop(at := words.index("--statements")), words.pop(at)
     try:
-        statements = read_json(options.statements)
-    except (OSError, ValueError, RecursionError) as error:
-        parser.error(printable(f"--statements: {error}"))
-    results = [check_file(path, statements) for path in options.files]
-    if options.json:
+        need(words and not any(word.startswith("-") for word in words), __doc__)
+        statements = read_json(path)
+    except (Reject, OSError, ValueError, RecursionError) as error:
+        print(error if isinstance(error, Reject) else f"check.py: --statements: {printable(error)}", file=sys.stderr)
+        return 0 if "--help" in words else 2
+    results = [check_file(name, statements) for name in words]
+    if "--json" in argv:
         print(json.dumps([entry for entry, _ in results], indent=1))
-    for entry, _ in [] if options.json else results:
+    for entry, _ in [] if "--json" in argv else results:
         print("VALID" if entry.pop("valid") else "INVALID", printable(entry.pop("file")))
         print(*(f"  {key}: {printable(value)}" for key, value in entry.items() if value), sep="\n")
     return max(status for _, status in results)

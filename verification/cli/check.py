@@ -29,4 +29,5 @@ def run(options: argparse.Namespace) -> int:
         except (OSError, ValueError, RecursionError) as error:
             found = f"{options.statements}: {error}"
             raise InputError("--statements", found, "a readable statements.json") from None
-    return int(check.main([*arguments, "--", *options.files]))
+    files = [f"./{name}" if name.startswith("-") else name for name in options.files]
+    return int(check.main([*arguments, *files]))

@@ -39,7 +39,7 @@ def checked(folder: Path, files: Sequence[str]) -> dict[str, dict[str, Any]]:
     """
     if not files:
         return {}
-    command = [sys.executable, "-I", "-S", str(Path(check.__file__).resolve()), "--json", "--"]
+    command = [sys.executable, "-I", "-S", str(Path(check.__file__).resolve()), "--json"]
     run = subprocess.run(
         [*command, *files],
         cwd=folder,
