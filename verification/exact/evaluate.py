@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 
+from theory.algebra.block_matrices import Blocks
 from theory.algebra.noncommuting import Form
 
 Rows = tuple[tuple[Fraction, ...], ...]
@@ -88,3 +89,11 @@ def at(form: Form, values: Mapping[str, Rows], h: Fraction) -> Rows:
     for power, rows in matrices(form, values).items():
         total = add(total, rows, h**power)
     return total
+
+
+def assembled(blocks: Blocks, values: Mapping[str, Rows], h: Fraction) -> Rows:
+    """A block matrix of forms with matrices put in for its letters and h for its scalar ``h``."""
+    parts = [[at(form, values, h) for form in row] for row in blocks.rows]
+    return tuple(
+        tuple(x for block in row for x in block[i]) for row in parts for i in range(len(row[0]))
+    )

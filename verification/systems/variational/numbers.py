@@ -11,11 +11,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
+from theory.algebra.block_matrices import coefficients
 from theory.algebra.noncommuting import letters, scalars
-from theory.systems.variational.statements.common import EQUATION, energy
+from theory.systems.variational.block_form import ENERGY, LEFT, NOW, RIGHT
+from theory.systems.variational.statements.common import EQUATION
 from verification.answers import Answer
 from verification.exact.abscissa import pencil_abscissa
-from verification.exact.evaluate import Rows, at, identity, scaled
+from verification.exact.evaluate import Rows, assembled
 from verification.exact.rayleigh import image_ratio
 from verification.exact.spectral import Enclosure, pencil_radius
 
@@ -25,9 +27,14 @@ NARROW, USABLE = 1e-10, 1e-6
 """Relative widths above which a bracket is remarked on, and above which it gives no value."""
 
 (STEP,) = scalars("h")
-U, ACCELERATION = letters("u a")
-CONTINUOUS = -EQUATION.substitute({"v": U - STEP * ACCELERATION}).coefficient("h", 1)
-"""(20) at a vanishing step, in x, u and a = du/dt: Ma + Cu + Kx = 0, which is (13)."""
+U, ACCELERATION, SPEED = letters("u a p")
+CONTINUOUS = (
+    SPEED - U,
+    -EQUATION.substitute({"v": U - STEP * ACCELERATION}).coefficient("h", 1),
+)
+"""x' = p = u, and (20) at a vanishing step, in x, u and a = u': Ma + Cu + Kx = 0, (13)."""
+CONTINUOUS_LEFT = coefficients(CONTINUOUS, ("p", "a"))
+CONTINUOUS_RIGHT = -coefficients(CONTINUOUS, NOW)
 
 
 def step_pencil(gains: Mapping[str, Rows], h: Fraction) -> tuple[Rows, Rows]:
@@ -45,22 +52,12 @@ def step_pencil(gains: Mapping[str, Rows], h: Fraction) -> tuple[Rows, Rows]:
     E, F : Rows
         2n by 2n; E is not singular if M + hC is not.
     """
-    n = len(gains["M"])
-    one, zero = identity(n), scaled(0, identity(n))
-    newer, position, older = (at(EQUATION.before(letter), gains, h) for letter in "uxv")
-    left = _blocks(one, zero, position, newer)
-    right = _blocks(one, scaled(h, one), zero, scaled(-1, older))
-    return left, right
+    return assembled(LEFT, gains, h), assembled(RIGHT, gains, h)
 
 
 def energy_matrix(gains: Mapping[str, Rows]) -> Rows:
     """The matrix of the energy-like term (14) as a quadratic form in z = (x, u)."""
-    form = energy(*letters("x u"))
-
-    def block(row: str, column: str) -> Rows:
-        return at(form.after(f"{row}'").before(column), gains, Fraction(1))
-
-    return _blocks(block("x", "x"), block("x", "u"), block("u", "x"), block("u", "u"))
+    return assembled(ENERGY, gains, Fraction(1))
 
 
 def spectral_radius(values: Mapping[str, Any]) -> Answer:
@@ -116,13 +113,8 @@ def abscissa(values: Mapping[str, Any]) -> Answer:
         A gain is not symmetric positive definite.
     """
     gains = definite_gains(values)
-    one, zero = identity(len(gains["M"])), scaled(0, identity(len(gains["M"])))
-    mass, damping, stiffness = (
-        at(CONTINUOUS.before(letter), gains, Fraction(1)) for letter in ("a", "u", "x")
-    )
-    left = _blocks(one, zero, zero, mass)
-    right = _blocks(zero, one, scaled(-1, stiffness), scaled(-1, damping))
-    return _answer(pencil_abscissa(left, right))
+    ends = (assembled(side, gains, Fraction(1)) for side in (CONTINUOUS_LEFT, CONTINUOUS_RIGHT))
+    return _answer(pencil_abscissa(*ends))
 
 
 def _answer(found: Enclosure) -> Answer:
@@ -136,9 +128,3 @@ def _answer(found: Enclosure) -> Answer:
         verdict="PROVED" if usable else "UNDECIDED",
         notes=(found.stage,) if found.width > NARROW else (),
     )
-
-
-def _blocks(a: Rows, b: Rows, c: Rows, d: Rows) -> Rows:
-    """[[a, b], [c, d]]."""
-    top = tuple(left + right for left, right in zip(a, b, strict=True))
-    return top + tuple(left + right for left, right in zip(c, d, strict=True))
