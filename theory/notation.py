@@ -7,7 +7,31 @@ from dataclasses import dataclass
 
 from .system import Parameter, Signal, System
 
-GREEK = frozenset(["beta", "gamma", "lambda", "phi", "rho", "theta"])
+GREEK = frozenset(
+    {
+        "alpha",
+        "beta",
+        "gamma",
+        "delta",
+        "epsilon",
+        "zeta",
+        "eta",
+        "theta",
+        "kappa",
+        "lambda",
+        "mu",
+        "nu",
+        "xi",
+        "pi",
+        "rho",
+        "sigma",
+        "tau",
+        "phi",
+        "chi",
+        "psi",
+        "omega",
+    }
+)
 HATS = {"hat": r"\hat{%s}", "star": "%s^*"}
 
 

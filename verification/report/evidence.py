@@ -44,7 +44,8 @@ def _file(path: str, findings: Findings) -> list[Element | str]:
     if path in findings.inline:
         text = base64.b64encode((findings.folder / path).read_bytes()).decode()
         link = el("a", name, href=f"data:application/json;base64,{text}", download=name)
-    return [f"{_described(document)}: ", link, f", {size_text(findings.size(path))}"]
+    size = size_text(findings.size(path)).replace(" ", "\N{NO-BREAK SPACE}")
+    return [f"{_described(document)}: ", link, f", {size}"]
 
 
 def _described(document: dict[str, Any]) -> str:

@@ -56,5 +56,5 @@ def energies_over_time() -> Plot:
             Curve("sharp", times, tuple(pair[1] for pair in pairs), "strict V"),
             Curve("printed", times, tuple(pair[0] for pair in pairs), "printed E"),
         ),
-        dots=(Dots("held", stops, levels, "E' = 0"),),
+        dots=(Dots("held", stops, levels),),
     )

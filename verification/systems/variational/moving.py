@@ -108,7 +108,7 @@ def errors_over_time() -> Plot:
         x=Axis("sample k", "", 0.0, float(SAMPLES - 1)),
         y=Axis("position error", "m", low * 1.1, max(high * 1.1, 0.05), ticks=(level, 0.0)),
         curves=(
-            Curve("run", samples, sampled, "sampled, (24)"),
+            Curve("printed", samples, sampled, "sampled, (24)"),
             Curve("sharp", samples, averaged, "averaged"),
             Curve("guide", (0.0, float(SAMPLES - 1)), (level, level)),
         ),

@@ -116,3 +116,17 @@ def test_a_planted_false_theorem_is_not_proved():
     ):
         with pytest.raises(CertificateError):
             certificate("variational", "discrete_stability_repair", {}, [*witness, last])
+
+
+@pytest.mark.parametrize("claim", sorted(DECISIONS))
+def test_a_figure_has_finite_numbers_within_its_axes(claim):
+    figure = DECISIONS[claim]().figure
+    if figure is None:
+        return
+    for mark in (*figure.curves, *figure.dots):
+        for axis, numbers in ((figure.x, mark.x), (figure.y, mark.y)):
+            slack = 1e-9 * (axis.high - axis.low)
+            assert all(axis.low - slack <= number <= axis.high + slack for number in numbers)
+    assert figure.title
+    assert figure.finding.endswith(".")
+    assert figure.caption.endswith(".")

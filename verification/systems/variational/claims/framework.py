@@ -10,6 +10,7 @@ from verification.adversary.placements import placement
 from verification.certificates.make import certificate
 from verification.verdict import Decision, Verdict
 
+from ..claim_figures import network
 from .witnesses import derivation
 
 
@@ -95,6 +96,7 @@ def neighbours() -> Decision:
         "section_2_neighbours",
         3,
         ((0, 1), (1, 2)),
+        (0, 2),
         Decision(
             verdict=Verdict.REFUTED,
             reason="A search places three sensors so that the outer two are out of range of each "
@@ -115,6 +117,7 @@ def two_edge_connected() -> Decision:
         "section_2_two_edge_connected",
         SENSORS,
         TWO_TRIANGLES,
+        (2, 3),
         Decision(
             verdict=Verdict.REFUTED,
             reason="A search places six sensors as two triangles joined by one link, replayed in "
@@ -129,7 +132,11 @@ def two_edge_connected() -> Decision:
 
 
 def _placed(
-    name: str, sensors: int, links: Collection[tuple[int, int]], found: Decision
+    name: str,
+    sensors: int,
+    links: Collection[tuple[int, int]],
+    marked: tuple[int, ...],
+    found: Decision,
 ) -> Decision:
     """The decision with its places, or undecided if the search found none."""
     places = placement(sensors, links)
@@ -141,6 +148,7 @@ def _placed(
     values = vars(found) | {
         "certificates": {f"variational.{name}": document},
         "replay": (("sensor", "x", "y"), *rows),
+        "figure": network(places, links, marked),
     }
     return Decision(**values)
 

@@ -12,6 +12,7 @@ from verification.exact.modes import candidates, integer_matrices
 from verification.exact.stein import staying_form
 from verification.verdict import Decision, Verdict
 
+from ..claim_figures import radii_of_late_data
 from ..delays import block, delay_step_limit, late_pencil
 from ..steps import step_limit
 from .simulated import EXAMPLE
@@ -42,6 +43,7 @@ def instantaneous() -> Decision:
         repair="One sample late, h K < C is enough for gains of any size and needed for a single "
         "coordinate; delay_step_limit gives the limit of given gains and delays.",
         repair_formula=r"hK \prec C",
+        figure=radii_of_late_data(EXAMPLE, now, late),
         certificates={
             "variational.section_4_instantaneous": refuted,
             "variational.section_4_instantaneous_repair": _enough(),

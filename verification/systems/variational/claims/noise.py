@@ -8,6 +8,7 @@ from fractions import Fraction
 from verification.certificates.make import certificate
 from verification.verdict import Decision, Verdict
 
+from ..claim_figures import readings_over_time, velocity_variance
 from ..noise_gains import noise_gain
 from .discrete import SAMPLE_STEP, UNIT_GAINS
 from .witnesses import derivation
@@ -36,6 +37,7 @@ def velocity_noise() -> Decision:
         printed_value=1.0,
         sharp_value=gain,
         margin_text=f"{gain - 1:.2%} more than the raw average",
+        figure=velocity_variance(),
         relies_on=tuple(document["relies_on"]),
         certificates={"variational.section_3_velocity_noise": document},
     )
@@ -92,6 +94,7 @@ def robust_reading_b() -> Decision:
         margin_text="no bound",
         certificates={"variational.section_3_robust_reading_b": document},
         replay=tuple(rows),
+        figure=readings_over_time(),
     )
 
 

@@ -15,6 +15,7 @@ from verification.exact.modes import candidates, integer_matrices
 from verification.exact.stein import staying_form
 from verification.verdict import Decision, Verdict
 
+from ..claim_figures import growing_errors
 from ..delays import block, late_pencil
 from .discrete import proposition_4_1
 from .witnesses import derivation
@@ -66,6 +67,7 @@ def unsymmetric() -> Decision:
         repair="Without symmetry C + C' - hK > 0 is enough: the energy of the newer position then "
         "falls in every step.",
         repair_formula=r"hK \prec C + C^{\mathsf T}",
+        figure=growing_errors({"M": UNIT, "K": UNIT, "C": damping}, TRIED_STEP),
         certificates={
             "variational.discrete_stability_unsymmetric": document,
             "variational.discrete_stability_unsymmetric_repair": repaired,
