@@ -182,7 +182,7 @@ def _coordinates(name: str, data: tuple[Fraction, ...], setting: Setting) -> tup
     """One number a coordinate."""
     if len(data) != setting.size:
         needed = f"{setting.size} are needed, one a coordinate of the matrices"
-        raise InputError(name, f"{len(data)} numbers", needed)
+        raise InputError(name, f"{len(data)} number{'s' if len(data) > 1 else ''}", needed)
     return data
 
 

@@ -82,3 +82,11 @@ def below(value: Fraction) -> float:
 def above(value: Fraction) -> float:
     """The smallest double that is at least `value`."""
     return -below(-value)
+
+
+def root(value: Fraction, bits: int = 200) -> Fraction:
+    """Square root of a positive rational, with a relative error below 2^-bits."""
+    up = max(0, 2 * bits + value.denominator.bit_length() - value.numerator.bit_length() + 2)
+    shift = up + up % 2
+    whole = math.isqrt((value.numerator << shift) // value.denominator)
+    return Fraction(whole, 1 << (shift // 2))

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
 from verification.answers import Answer
 from verification.exact.evaluate import Rows
+from verification.exact.rationals import nearest, root
 
 from .gains import definite_gain
 
@@ -56,26 +56,27 @@ def best_damping(values: Mapping[str, Any]) -> Answer:
     total = (m[0][0] * k[1][1] + m[1][1] * k[0][0] - 2 * m[0][1] * k[0][1]) / size
     if total**2 >= 36 * square:
         return Answer(verdict="UNDECIDED", notes=(TOO_FAR_APART,))
-    r = math.sqrt(square)
-    sum_squared = float(total) + 2 * r
-    apart = math.sqrt(float((total**2 - 4 * square) / size) / sum_squared)
-    turned = _turned(m, k)
+    r = root(square)
+    sum_squared = total + 2 * r
+    # b - a from (b^2 - a^2)/(b + a), so that nothing cancels
+    apart_squared = (total**2 - 4 * square) / (sum_squared * size)
+    apart = root(apart_squared) if apart_squared else Fraction(0)
+    own, turned = 4 * root(r), _turned(m, k)
     c = [
         [
-            (4 * math.sqrt(r) * (float(k[i][j]) + r * float(m[i][j])) + apart * turned[i][j])
-            / sum_squared
+            nearest((own * (k[i][j] + r * m[i][j]) + apart * turned[i][j]) / sum_squared)
             for j in (0, 1)
         ]
         for i in (0, 1)
     ]
-    return Answer(value=[c, -math.sqrt(r)], notes=(SENSITIVE,))
+    return Answer(value=[c, -nearest(root(r))], notes=(SENSITIVE,))
 
 
 def _determinant(rows: Rows) -> Fraction:
     return rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]
 
 
-def _turned(m: Rows, k: Rows) -> tuple[tuple[float, ...], ...]:
+def _turned(m: Rows, k: Rows) -> Rows:
     """N = M J K - K J M, of the sign that is positive between two modes of positive first entries.
 
     The second unit vector is a positive multiple of one such mode less one of the other, so that
@@ -85,7 +86,4 @@ def _turned(m: Rows, k: Rows) -> tuple[tuple[float, ...], ...]:
     last = 2 * (m[0][1] * k[1][1] - m[1][1] * k[0][1])
     beside = m[0][0] * k[1][1] - m[1][1] * k[0][0]
     sign = -1 if last > 0 or (last == 0 and beside < 0) else 1
-    return (
-        (float(sign * first), float(sign * beside)),
-        (float(sign * beside), float(sign * last)),
-    )
+    return (sign * first, sign * beside), (sign * beside, sign * last)

@@ -252,15 +252,18 @@ def _rounded_step(gains: Mapping[str, Rows], limit: float) -> Fraction:
         damped = np.linalg.inv(m + h * c)
         pull, keep = damped @ k, damped @ m
         step = np.block([[one, h * one], [-h * pull, keep - h * h * pull]])
-        return float(np.abs(np.linalg.eigvals(step)).max())
+        # where floats overflow, the step is no candidate
+        return float(np.abs(np.linalg.eigvals(step)).max()) if np.isfinite(step).all() else math.inf
 
     low, high, best = 0.0, limit, limit / 2
     for _ in range(ROUNDS):
         steps = np.linspace(low, high, COARSE)[1:-1]
-        best = min(steps, key=radius)
+        with np.errstate(all="ignore"):
+            best = min(steps.tolist(), key=radius)
         width = float(steps[1] - steps[0])
         low, high = max(0.0, best - width), min(limit, best + width)
-    return Fraction(f"{best:.6g}")
+    short = Fraction(f"{best:.6g}")
+    return short if short < limit else Fraction(best)
 
 
 VARIANCES = (STEP, CHI, NU)

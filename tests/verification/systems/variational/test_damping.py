@@ -80,6 +80,22 @@ def test_a_mode_along_the_second_axis_keeps_the_sign_rule(turned):
     assert answer.value[0][0][1] == pytest.approx(1.0)
 
 
+@pytest.mark.parametrize("power", [-300, -100, 100, 300])
+def test_units_far_off_scale_the_result(power):
+    """C scales with both gains; the abscissa does not, where both scale alike."""
+    scale = Fraction(10) ** power
+    pull = ((Fraction(1), Fraction(0)), (Fraction(0), Fraction(2)))
+    plain = best_damping({"M": ONE, "K": pull}).value
+    found = best_damping(
+        {
+            "M": tuple(tuple(scale * x for x in row) for row in ONE),
+            "K": tuple(tuple(scale * x for x in row) for row in pull),
+        }
+    ).value
+    assert found[1] == pytest.approx(plain[1])
+    assert np.array(found[0]) == pytest.approx(np.array(plain[0]) * float(scale))
+
+
 @pytest.mark.parametrize("name", ["M", "K"])
 def test_more_than_two_coordinates_are_refused(name):
     three = [[str(int(i == j)) for j in range(3)] for i in range(3)]

@@ -116,6 +116,14 @@ def test_the_chosen_step_is_stable_and_no_other_on_a_grid_is_much_better(three):
         assert found.bound["radius"] <= float(other.value) * 1.02
 
 
+@pytest.mark.parametrize("mass, pull", [("1e-200", "1e200"), ("1e200", "1e-200"), ("1", "1e300")])
+def test_gains_far_apart_still_get_a_stable_step(mass, pull):
+    gains = {"M": mass, "K": pull, "C": "1"}
+    found = step_for_gains({name: ((Fraction(text),),) for name, text in gains.items()})
+    assert found.verdict == "PROVED"
+    assert found.gains["h"] > 0
+
+
 @pytest.mark.parametrize(
     "wrong, name",
     [
