@@ -79,7 +79,7 @@ class Designed:
     objective : str
         The sense in which the choice is the best.
     bound : mapping of str to float, optional
-        What the certificate proves of the choice, by name.
+        Numbers that are proved of the choice, by name.
     verdict : str, optional
     certificate : dict, optional
     notes : tuple of str, optional

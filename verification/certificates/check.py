@@ -12,7 +12,8 @@ import ast, hashlib, json, math, operator, pathlib, re, sys
 from fractions import Fraction
 
 FORMAT = "sensortrack-certificate/1"
-FILE_BYTES, DIGITS, DENOMINATORS = 1 << 26, 4000, 100_000  # of a file; of a number; of all denominators together
+FILE_BYTES, DIGITS = 1 << 26, 4000  # of a file; of a number
+DENOMINATORS, SCALED = 100_000, 1_000_000_000  # digits of all denominators together; of all numbers over one
 NODES, CUT_STEPS, PRODUCTS = 600, 2_000_000, 10_000  # of a matrix of a graph; of a proof; of terms of expressions
 POSITIVE = {"positive definite", "positive semidefinite"}
 NUMBER = re.compile(rf"-?[0-9]{{1,{DIGITS}}}(/[1-9][0-9]{{0,{DIGITS - 1}}})?")
@@ -51,7 +52,6 @@ def rows_of(value):
     rows = listed(value, None, lambda row: listed(row, None, number))
     need(rows and rows[0] and len({*map(len, rows)}) == 1, "no matrix")
     return rows
-
 def mixed(factors, matrices):  # over one denominator: integers are quicker
     unit = math.lcm(*(x.denominator for rows in matrices for row in rows for x in row))
     share = math.lcm(*(c.denominator for c in factors))
@@ -345,7 +345,6 @@ ORDER = {ast.Eq: lambda d: not d.terms, ast.NotEq: lambda d: any(map(any, d.rows
 FUNCTIONS = {"T": Poly.transpose, "nodes": lambda g: constant(g.n),
              "eye": lambda g: g.dense(operator.eq), "ones": lambda g: g.dense(lambda i, j: 1),
              "laplacian": lambda g: g.dense(lambda i, j: sum(g.near[i].values()) if i == j else -g.near[i].get(j, 0))}
-
 def dips(proof, poly):
     """Some x, not 0, has x' E x <= 0 on the whole range."""
     x = listed(proof.take({"vector": "x"})["x"], poly.shape[0], number)
@@ -452,8 +451,9 @@ def check_document(document, statements, kind_of_proof=Proof):
     need(document["relies_on"] == statement["relies_on"], "relies_on is that of another statement")
     need({*ends} == {*case["ends"]} and all(v in (None, ends[k]) for k, v in case["ends"].items()), "lower, upper")
     need(type(inputs) is dict and {*inputs} == {*statement["inputs"]}, "inputs missing or too many")
-    denominators = {*re.findall("/([0-9]+)", json.dumps([inputs, ends, document["witness"]]))}
-    need(sum(map(len, denominators)) <= DENOMINATORS, "denominators too many and too long to be added")
+    text = json.dumps([inputs, ends, document["witness"]])
+    digits = sum(map(len, {*re.findall("/([0-9]+)", text)}))  # of what sums are brought to
+    need(digits <= DENOMINATORS and digits * text.count(",") <= SCALED, "denominators too many and too long")
     kinds = {name: text.partition(":")[0] for name, text in statement["symbols"].items()}
     need(not (kinds and inputs), "letters or data")
     env = {end: constant(number(ends[end])) for end, fixed in case["ends"].items() if fixed is None}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any
 
 from sensortrack.errors import InputError
 from verification.answers import Design, Designed
+from verification.exact.rationals import nearest as nearest_double
 from verification.files import certificate_text, require_folder, write_text
 from verification.input_kinds import brief, nearest
 from verification.inputs import read_inputs
@@ -93,10 +95,10 @@ def _plain(value: Any) -> Any:
     """A rational as a JSON number where that is the same decimal, else as text; rows likewise."""
     if isinstance(value, tuple):
         return [_plain(entry) for entry in value]
-    number = float(value)
     if value == int(value):
         return int(value)
-    return number if Fraction(repr(number)) == value else str(value)
+    number = nearest_double(value)
+    return number if math.isfinite(number) and Fraction(repr(number)) == value else str(value)
 
 
 def _written(folder: Path, found: Designed) -> str | None:

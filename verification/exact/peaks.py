@@ -20,7 +20,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import islice
-from math import isqrt
 from typing import Any
 
 import numpy as np
@@ -29,7 +28,7 @@ from .abscissa import off_axis
 from .evaluate import Rows, scaled
 from .modes import candidates, integer_matrices
 from .peak_search import FloatChannel, Peak, highest, left_vector
-from .rationals import above, below, nearest
+from .rationals import above, below, nearest, root
 from .spectral import Enclosure
 from .stein import proved_definite
 
@@ -75,7 +74,7 @@ def peak(channel: Channel) -> Enclosure:
         return Enclosure(best.gain * nearest(unit), None, None, FLOATING)
     parts = integer_matrices(*even.d, *even.n)
     d, n = parts[:3], parts[3:]
-    low = _root(_attained(d, n, floats, best))
+    low = root(_attained(d, n, floats, best), ROOT_BITS)
     for width in WIDTHS:
         level = _short(low * (1 + width / 2))
         if _never_above(d, n, level):
@@ -120,13 +119,6 @@ def _square(parts: list[Any], a: int, b: int, q: Any) -> Fraction:
     even, odd = b * b * parts[0] - a * a * parts[2], a * b * parts[1]
     image = (real * even + imaginary * odd, real * odd - imaginary * even)
     return Fraction(sum(int(x) ** 2 for row in image for x in row.entries()))
-
-
-def _root(square: Fraction) -> Fraction:
-    """The square root, rounded down to 80 bits or more."""
-    shift = max(0, 2 * ROOT_BITS + square.denominator.bit_length() - square.numerator.bit_length())
-    shift += shift % 2
-    return Fraction(isqrt((square.numerator << shift) // square.denominator), 1 << (shift // 2))
 
 
 def _short(x: Fraction) -> Fraction:

@@ -59,6 +59,16 @@ def costly():
         [matrix],
         False,
     )
+    primes = [p for p in range(10007, 150000, 2) if all(p % q for q in range(3, 388, 2))][:9000]
+    spread = [[f"1/{primes[(7 * i + 7 * j) % 9000]}" for j in range(250)] for i in range(250)]
+    plain = [["1" if i == j else "0" for j in range(250)] for i in range(250)]
+    yield (
+        "a common denominator",
+        "variational.step",
+        {"M": spread, "K": plain, "C": plain, "h": "1"},
+        [],
+        False,
+    )
     yield "a cut of a product", threshold, gain | {"graph": tall}, [cut], False
 
 

@@ -33,6 +33,28 @@ def test_a_step_for_given_gains(capsys):
     assert said["certificate"] is None
 
 
+def test_gains_beyond_the_largest_double_get_no_step(capsys):
+    given = ["--set", "M=1e400", "--set", "K=1e400", "--set", "C=1"]
+    assert main(["design", "variational", *given]) == 3
+    assert "largest double" in capsys.readouterr().out
+
+
+def test_a_gain_below_the_smallest_double_is_given_back_as_text(capsys):
+    given = ["--set", "M=1", "--set", "K=1", "--set", "C=1e-400", "--json"]
+    assert main(["design", "variational", *given]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert said["gains"]["C"] == [["1/1" + 400 * "0"]]
+
+
+@pytest.mark.parametrize("name", ["decay", "h", "chi", "nu", "noise"])
+@pytest.mark.parametrize("value", ["1e400", "1e-400"])
+def test_a_wish_beyond_the_doubles_is_refused(capsys, name, value):
+    wish = {"decay": "1", "h": "0.1", name: value}
+    given = [text for key, given in wish.items() for text in ("--set", f"{key}={given}")]
+    assert main(["design", "variational", *given]) == 2
+    assert capsys.readouterr().err.startswith(f"sensortrack: {name}:")
+
+
 def test_a_reader_sees_lines(capsys):
     assert main(WISH) == 0
     lines = capsys.readouterr().out.splitlines()

@@ -11,7 +11,7 @@ import numpy as np
 from verification.exact.evaluate import Rows
 from verification.figure import Area, Axis, Curve, Dots, Plot
 
-from .delays import late_pencil
+from .delays import late_pencil, late_radius
 from .noise_gains import exact_traces
 
 ONE: Rows = ((Fraction(1),),)
@@ -113,7 +113,7 @@ def readings_over_time() -> Plot:
 def radii_of_late_data(gains: Mapping[str, Rows], now: float, late: float) -> Plot:
     """Spectral radius over the step with the position error at once and one sample late."""
     steps = np.unique(np.concatenate([np.linspace(0.01, 1.1 * now, 60), [now, late]]))
-    radii = [[_radius(gains, delay, float(h)) for h in steps] for delay in (0, 1)]
+    radii = [[late_radius(gains, delay, float(h)) for h in steps] for delay in (0, 1)]
     end, top = float(steps[-1]), 1.6
     shown = tuple(steps.tolist())
     kept = [sum(r <= top for r in found) for found in radii]
@@ -131,12 +131,6 @@ def radii_of_late_data(gains: Mapping[str, Rows], now: float, late: float) -> Pl
         ),
         areas=(Area("false", (late, now), (0.6, 0.6), (top, top)),),
     )
-
-
-def _radius(gains: Mapping[str, Rows], delay: int, h: float) -> float:
-    left, right = late_pencil(gains, delay, Fraction(h))
-    step = np.linalg.solve(np.array(left, dtype=float), np.array(right, dtype=float))
-    return float(np.abs(np.linalg.eigvals(step)).max())
 
 
 def growing_errors(gains: Mapping[str, Rows], h: Fraction) -> Plot:

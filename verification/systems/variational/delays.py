@@ -134,7 +134,7 @@ def _crossing(gains: Mapping[str, Rows], delay: int, most: float) -> float:
     grid = most * np.logspace(-DECADES, 0, GRID)
     low = 0.0
     for h in grid:
-        if _radius(gains, delay, float(h)) >= 1:
+        if late_radius(gains, delay, float(h)) >= 1:
             break
         low = float(h)
     high = float(h)
@@ -142,11 +142,12 @@ def _crossing(gains: Mapping[str, Rows], delay: int, most: float) -> float:
         middle = (low + high) / 2
         if not low < middle < high:
             break
-        low, high = (middle, high) if _radius(gains, delay, middle) < 1 else (low, middle)
+        low, high = (middle, high) if late_radius(gains, delay, middle) < 1 else (low, middle)
     return (low + high) / 2
 
 
-def _radius(gains: Mapping[str, Rows], delay: int, h: float) -> float:
+def late_radius(gains: Mapping[str, Rows], delay: int, h: float) -> float:
+    """Spectral radius of one step of the stacked positions, in floating point."""
     left, right = late_pencil(gains, delay, Fraction(h))
     step = np.linalg.solve(np.array(left, dtype=float), np.array(right, dtype=float))
     return float(np.abs(np.linalg.eigvals(step)).max())

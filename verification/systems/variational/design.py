@@ -1,15 +1,13 @@
 """Gains for a wanted decay or noise level, and the step at which given gains decay fastest.
 
 All coordinates are alike and only the ratios of the gains matter, so M = 1 and two numbers are
-sought. With a = 1/(1 + hc) and g = h^2 k a, the errors obey z^2 - (1 + a - g) z + a = 0; both roots
-lie within |z| <= r iff a <= r^2 and (1 - r)(1 - a/r) <= g <= (1 + r)(1 + a/r) (Jury).
+sought, as `gain_search` does.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -19,91 +17,26 @@ from sensortrack.errors import InputError
 from verification.answers import Design, Designed, Input
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows, identity
-from verification.exact.rationals import above
+from verification.exact.rationals import above, nearest
 from verification.exact.stationary import covariance
 
 from .delays import block
 from .error_systems import error_system
+from .gain_search import FASTEST, INSIDE, Noises, smallest, smallest_position
 from .gains import definite_gains, positive_step
 from .numbers import spectral_radius
 from .quantities import GAINS, STEP
 from .steps import decide_step, step_limit
 
-INSIDE = 1e-6
-"""Roots are kept inside the wanted circle by this, so that rounding leaves them there."""
-FASTEST = 1e-3
-"""Least spectral radius that is sought."""
-GRID, COARSE, ROUNDS, HALVINGS = 200, 60, 6, 60
-DIGITS = 14
-SLACK = Fraction(1, 10**12)
+SLACK, COARSE, ROUNDS, DIGITS = Fraction(1, 10**12), 60, 6, 14
 
 DECAY = Input("decay", "number", "wanted: errors fall at least like exp(-decay t)", "1/s")
 CHI = Input("chi", "number", "variance of a measured position, averaged", "m^2", default="1")
 NU = Input("nu", "number", "variance of a measured velocity, averaged", "m^2/s^2", default="1")
 NOISE = Input("noise", "number", "largest variance allowed for a coordinate of the error", "m^2")
 OBJECTIVE = "smallest variance of the velocity estimate among all gains with this decay"
+BEYOND = "a gain is beyond the largest double: the search for the step is one in doubles"
 NONE_FOUND = "no gains with this decay keep the position variance; the smallest found is {:.6g}"
-
-
-@dataclass(frozen=True)
-class Noises:
-    """White noise of the averaged measurements, one coordinate, and the step h."""
-
-    h: float
-    chi: float
-    nu: float
-
-    def of_position(self, a: float, g: float) -> float:
-        """Stationary variance of the position error."""
-        by_position = g * g * (1 + a) * self.chi
-        by_velocity = self.h**2 * ((1 + a) * (1 - a) ** 2 + 2 * a * g) * self.nu
-        return (by_position + by_velocity) / ((1 - a) * g * (2 + 2 * a - g))
-
-    def of_velocity(self, a: float, g: float) -> float:
-        """Stationary variance of the velocity error; it grows with g."""
-        spread = g * (1 + a) * self.nu + 2 * g * g / self.h**2 * self.chi
-        return self.nu + spread / ((1 - a) * (2 + 2 * a - g))
-
-    def quietest(self, a: float) -> float:
-        """The g at which `of_position` has its one minimum."""
-        square, slope = (1 + a) * self.chi, self.h**2 * 2 * a * self.nu
-        rest, width = self.h**2 * (1 + a) * (1 - a) ** 2 * self.nu, 2 + 2 * a
-        bend = square * width + slope
-        return (math.sqrt(rest * rest + bend * rest * width) - rest) / bend
-
-
-def _pull(noises: Noises, a: float, r: float, allowed: float) -> float | None:
-    """The least g with both roots within r and the position variance allowed."""
-    low, high = (1 - r) * (1 - a / r), (1 + r) * (1 + a / r)
-    if noises.of_position(a, low) <= allowed:
-        return low
-    quiet = min(max(noises.quietest(a), low), high)
-    if noises.of_position(a, quiet) > allowed:
-        return None
-    for _ in range(HALVINGS):
-        middle = (low + quiet) / 2
-        if noises.of_position(a, middle) > allowed:
-            low = middle
-        else:
-            quiet = middle
-    return quiet
-
-
-def _smallest(noises: Noises, r: float, allowed: float) -> tuple[float, float] | None:
-    """The a and g of the smallest velocity variance, on a grid that is refined around its best."""
-    low, high = 0.0, r * r
-    best: tuple[float, float, float] | None = None
-    for _ in range(ROUNDS):
-        for a in np.linspace(low, high, GRID)[1:].tolist():
-            g = _pull(noises, a, r, allowed)
-            if g is not None:
-                entry = (noises.of_velocity(a, g), a, g)
-                best = entry if best is None else min(best, entry)
-        if best is None:
-            return None
-        width = (high - low) / GRID * 2
-        low, high = max(0.0, best[1] - width), min(r * r, best[1] + width)
-    return best and best[1:]
 
 
 def gains_for_decay(values: Mapping[str, Any]) -> Designed:
@@ -138,17 +71,18 @@ def gains_for_decay(values: Mapping[str, Any]) -> Designed:
         raise InputError("decay", given, "{:.3g} to {:.3g} is needed".format(*ends))
     noises = Noises(float(h), float(chi), float(nu))
     allowed = float(values["noise"]) * (1 - INSIDE) if "noise" in values else math.inf
-    found = _smallest(noises, circle * (1 - INSIDE), allowed)
+    found = smallest(noises, circle * (1 - INSIDE), allowed)
     if found is None:
-        least = min(
-            noises.of_position(a, noises.quietest(a))
-            for a in np.linspace(0.0, circle**2, GRID)[1:].tolist()
-        )
+        least = smallest_position(noises, circle)
         return Designed(objective=OBJECTIVE, notes=(NONE_FOUND.format(least),))
     return _certified(*found, circle, values["decay"], (h, chi, nu))
 
 
 def _setting(values: Mapping[str, Any]) -> tuple[Fraction, Fraction, Fraction]:
+    for name, value in values.items():
+        if math.isinf(nearest(value)) or (value and not nearest(value)):
+            found = f"{value.numerator.bit_length() - value.denominator.bit_length()} binary digits"
+            raise InputError(name, found, "a number within the range of doubles is needed")
     for name in ("chi", "nu"):
         if values[name] < 0:
             raise InputError(name, str(values[name]), "a variance of 0 or more is needed")
@@ -229,10 +163,15 @@ def step_for_gains(values: Mapping[str, Any]) -> Designed:
     limit = step_limit(gains)
     if limit.value is None:
         return Designed(objective=objective, notes=limit.notes)
+    rows = [row for name in "MKC" for row in gains[name]]
+    if any(math.isinf(nearest(x)) for row in rows for x in row):
+        return Designed(objective=objective, notes=(BEYOND,))
     step = _rounded_step(gains, float(limit.value))
     decided = decide_step({**gains, "h": step})
     radius = spectral_radius({**gains, "h": step})
-    bound = {"radius": radius.upper or radius.value, "step_limit": float(limit.value)}
+    bound = {"step_limit": limit.lower}
+    if radius.upper is not None:
+        bound["radius"] = radius.upper
     return Designed(
         gains={**gains, "h": step},
         objective=objective,

@@ -14,10 +14,10 @@ from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate, statements
 from verification.systems.variational.design import (
     DESIGNS,
-    Noises,
     gains_for_decay,
     step_for_gains,
 )
+from verification.systems.variational.gain_search import Noises
 from verification.systems.variational.noise_gains import exact_traces
 from verification.systems.variational.numbers import spectral_radius
 

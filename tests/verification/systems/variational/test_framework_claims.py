@@ -31,6 +31,12 @@ def test_a_placement_has_the_links_that_were_asked_for(seed, n):
         assert near == links == within_range(places, Fraction(1))
 
 
+@pytest.mark.parametrize("graph", [nx.path_graph(4), nx.cycle_graph(5), nx.complete_graph(4)])
+def test_a_placement_is_found_where_one_is_easy(graph):
+    links = {tuple(sorted(edge)) for edge in graph.edges}
+    assert within_range(placement(len(graph), links), Fraction(1)) == links
+
+
 def network_of(claim):
     """The network of a refuting placement, from the certificate's own numbers."""
     (document,) = DECISIONS[claim]().certificates.values()

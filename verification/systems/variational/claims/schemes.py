@@ -17,7 +17,8 @@ from verification.verdict import Decision, Verdict
 
 from ..claim_figures import growing_errors
 from ..delays import block, late_pencil
-from .discrete import proposition_4_1
+from ..steps import step_limit
+from .discrete import UNIT_GAINS, proposition_4_1
 from .witnesses import derivation
 
 UNIT: Rows = identity(2)
@@ -89,14 +90,16 @@ def pairing() -> Decision:
         ),
     ]
     refuted = certificate("variational", "discrete_energy_pairing", {}, witness, case="REFUTED")
+    falls = 2 * UNIT_GAINS["C"][0][0] / UNIT_GAINS["K"][0][0]
+    stable = float(step_limit(UNIT_GAINS).value or 0)
     return Decision(
         verdict=Verdict.CORRECTED,
         reason="Where v'(hK - 2C)v > 0, the state with K y = -C v raises this energy by half of "
         "h times that number in one step, as an identity for all gains.",
         printed="every h > 0",
         sharp="h <= 2/lambda_max(C^-1 K)",
-        sharp_value=2.0,
-        margin_text="h = 2 at M = K = C = 1, against stability up to 3.2361",
+        sharp_value=float(falls),
+        margin_text=f"h = {falls} at M = K = C = 1, against stability up to {stable:.5g}",
         repair="The energy of the newer position falls in every step while C + C' - hK > 0.",
         repair_formula=r"hK \prec C + C^{\mathsf T}",
         certificates={

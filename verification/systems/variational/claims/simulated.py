@@ -65,6 +65,7 @@ def converge() -> Decision:
     """(24) settles at an error proportional to the acceleration; averaged velocities do not."""
     column = tuple((x,) for x in ACCELERATION)
     offset = steady_errors(EXAMPLE, ACCELERATION, TENTH)
+    shown = ", ".join(f"{float(x):.6f}" for x in offset)
     inputs = {**EXAMPLE, "a": column, "h": TENTH}
     witness = [{"kind": "matrix", "rows": [[x] for x in offset]}]
     documents = {
@@ -87,7 +88,7 @@ def converge() -> Decision:
         "pair (o, ha/2) with K o = -(h/2) C a obey (20), as an identity for all gains, so they "
         "tend to that pair and never to zero unless a = 0.",
         printed="0",
-        sharp=f"({', '.join(f'{float(x):.6f}' for x in offset)}) for a = (1, -2, 1/2), h = 1/10",
+        sharp=f"({shown}) for a = ({', '.join(map(str, ACCELERATION))}), h = {TENTH}",
         margin_text="proportional to h and to the acceleration",
         repair="The errors tend to zero for a target of constant velocity; with the mean of the "
         "velocities measured at both ends of the step in the first line of (24), they tend to "
