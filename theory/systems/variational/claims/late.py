@@ -62,7 +62,7 @@ INSTANTANEOUS = Claim(
     statement="(24) takes the position error at the new sample for known at once; run by each "
     "node on what its neighbours relay, it is as stable as where all is known at once.",
     formula=r"(M + hC)\,u_{k+1} = M u_k - hK x_{k+1-d},\quad d \ge 1",
-    sense="threshold",
+    sense="lower",
     assumes=(GAINS, DAMPING, STABLE_STEP, LATE),
     printed="no limit of its own",
 )
