@@ -360,9 +360,9 @@ def unstable(proof, a2, a1, a0):
     need(all(a.terms == a.transpose().terms for a in (a1, a0)), "a symmetric matrix is due")
     proof.positive(a2)
     dips(proof, a2 - a1 + a0)
-def pick(values, nodes):
+def pick(data, nodes):
     """Values at some nodes; one value stands for all."""
-    return [values.number()] * len(nodes) if values.shape == (1, 1) else [values.rows()[i][0] for i in nodes]
+    return [data.number()] * len(nodes) if data.shape == (1, 1) else [x for x, in map(data.rows().__getitem__, nodes)]
 def cuts_clear(proof, graph, *data):
     """Every cut of every component has b k >= N and f (b k - N)^2 >= E p; a vector e: E is its spread."""
     parts = graph.parts or [None]  # a product is connected
