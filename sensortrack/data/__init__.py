@@ -8,13 +8,17 @@ from functools import cache
 from importlib.resources import files
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sensortrack.errors import InputError
 from sensortrack.networks import Network
 
 from .recorded import TRACKS, load_track
 
-__all__ = ["TRACKS", "different", "load_network", "load_track", "real_networks"]
+__all__ = ["TRACKS", "different", "load_network", "load_track", "network_places", "real_networks"]
+
+DRAWN = frozenset({"sndlib_newyork"})
+"""Networks whose coordinates are those of a drawing, not degrees."""
 
 
 def real_networks() -> tuple[str, ...]:
@@ -62,6 +66,33 @@ def load_network(name: str) -> Network:
         if row["graph"] == name
     ]
     return Network(different(list(nodes.values())), np.array(edges), label=name)
+
+
+def network_places(name: str) -> NDArray[np.float64]:
+    """Where the nodes of a real network are, on a map.
+
+    Parameters
+    ----------
+    name : str
+        One of :func:`real_networks`.
+
+    Returns
+    -------
+    ndarray, shape (n, 2)
+        East and north, in degrees of the middle latitude (so that a map has one scale), or in the
+        units of a drawing; in the order of the network's nodes.
+
+    Raises
+    ------
+    InputError
+        With the name ``graph`` if there is no network of that name.
+    """
+    size = load_network(name).n
+    rows = [(row["x"], row["y"]) for row in _table("nodes") if row["graph"] == name]
+    places = np.array(rows, dtype=float).reshape(size, 2)
+    if name not in DRAWN:
+        places[:, 0] *= np.cos(np.radians(places[:, 1].mean()))
+    return places
 
 
 def different(names: list[str]) -> list[str]:

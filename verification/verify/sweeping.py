@@ -6,7 +6,7 @@ import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from sensortrack.data import load_network
+from sensortrack.data import load_network, network_places
 from verification.answers import Answer
 from verification.systems import SYSTEMS
 
@@ -81,6 +81,7 @@ def _row(network: Network, sharp: Answer) -> dict[str, Any]:
         "cut_links": links,
         "names": list(network.names),
         "edge_list": network.edges.tolist(),
+        "places": network_places(network.label).round(3).tolist(),
     }
 
 
