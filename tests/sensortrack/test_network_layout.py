@@ -58,13 +58,13 @@ def test_every_real_network_has_a_place_for_every_node(name):
 
 @pytest.mark.parametrize("name", ["sndlib_polska", "sndlib_nobel_germany", "sndlib_germany50"])
 def test_distances_on_the_map_are_those_of_the_collection(name):
-    """The shipped distances are great circles: a map of one country is nearly in scale."""
+    """The shipped distances are great circles; cos(latitude) varies by 7 % within one country."""
     table = files("sensortrack.data").joinpath("graphs", "edges.csv").read_text(encoding="utf-8")
     rows = [row for row in csv.DictReader(table.splitlines()) if row["graph"] == name]
     places = network_places(name)
     for row in rows:
         step = places[int(row["source"])] - places[int(row["target"])]
-        assert np.linalg.norm(step) * DEGREE_KM == pytest.approx(float(row["distance"]), rel=0.03)
+        assert np.linalg.norm(step) * DEGREE_KM == pytest.approx(float(row["distance"]), rel=0.07)
 
 
 def test_an_unknown_network_has_no_places():
