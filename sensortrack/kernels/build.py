@@ -21,6 +21,7 @@ from functools import cache
 from pathlib import Path
 
 FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-ffp-contract=off")
+NATIVE = ("-O3", "-march=native")
 COMPILE_SECONDS = 120
 
 
@@ -43,7 +44,7 @@ class Kernel:
     reason: str = ""
 
 
-def kernel(name: str, folder: Path = Path(__file__).parent) -> Kernel:
+def kernel(name: str, folder: Path = Path(__file__).parent, native: bool = False) -> Kernel:
     """Compile and load ``NAME.c`` of a folder.
 
     Parameters
@@ -52,6 +53,9 @@ def kernel(name: str, folder: Path = Path(__file__).parent) -> Kernel:
         Name of the source without its ending.
     folder : Path, optional
         Where the source lies; the folder of this module by default.
+    native : bool, optional
+        Use all that this very processor can do. The library's name then tells processors apart,
+        so that a cache which several machines share serves each of them. Contraction stays off.
 
     Returns
     -------
@@ -60,7 +64,12 @@ def kernel(name: str, folder: Path = Path(__file__).parent) -> Kernel:
     """
     if os.environ.get("SENSORTRACK_NO_COMPILER") == "1":
         return Kernel(name, None, "SENSORTRACK_NO_COMPILER is 1")
-    return _kernel(folder / f"{name}.c", os.environ.get("CC", "cc"), str(cache_folder()))
+    flags = NATIVE if native and _processor() else ()
+    source, compiler = folder / f"{name}.c", os.environ.get("CC", "cc")
+    found = _kernel(source, compiler, str(cache_folder()), flags)
+    if flags and found.library is None:
+        return _kernel(source, compiler, str(cache_folder()), ())
+    return found
 
 
 def cache_folder() -> Path:
@@ -71,22 +80,34 @@ def cache_folder() -> Path:
 
 
 @cache
-def _kernel(source: Path, compiler: str, folder: str) -> Kernel:
+def _processor() -> str:
+    """What this processor can do, as the system lists it; empty where it does not say."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError):
+        return ""
+    return next((line for line in lines if line.startswith(("flags", "Features"))), "")
+
+
+@cache
+def _kernel(source: Path, compiler: str, folder: str, more: tuple[str, ...]) -> Kernel:
     name = source.stem
     try:
-        return Kernel(name, ctypes.CDLL(str(_built(source, shlex.split(compiler), Path(folder)))))
+        built = _built(source, shlex.split(compiler), Path(folder), more)
+        return Kernel(name, ctypes.CDLL(str(built)))
     except (OSError, ValueError, subprocess.SubprocessError) as error:
         detail = error.stderr if isinstance(error, subprocess.CalledProcessError) else ""
         return Kernel(name, None, f"{name}.c: {error} {detail}".strip())
 
 
-def _built(source: Path, compiler: list[str], folder: Path) -> Path:
+def _built(source: Path, compiler: list[str], folder: Path, more: tuple[str, ...]) -> Path:
     """Path of the library, compiled if it is not in the cache."""
-    keys = (*compiler, *FLAGS, platform.system(), platform.machine())
+    flags = (*FLAGS, *more)
+    keys = (*compiler, *flags, platform.system(), platform.machine(), _processor() if more else "")
     digest = hashlib.sha256(source.read_bytes() + "\0".join(keys).encode()).hexdigest()
     target = folder / f"{source.stem}-{digest[:24]}.so"
     if not target.exists():
-        _compile(compiler, source, target)
+        _compile([*compiler, *flags], source, target)
     return target
 
 
@@ -97,7 +118,7 @@ def _compile(compiler: list[str], source: Path, target: Path) -> None:
     target.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     handle, unfinished = tempfile.mkstemp(suffix=".so", dir=target.parent)
     os.close(handle)
-    command = [*compiler, *FLAGS, "-o", unfinished, str(source), "-lm"]
+    command = [*compiler, "-o", unfinished, str(source), "-lm"]
     try:
         subprocess.run(command, check=True, capture_output=True, text=True, timeout=COMPILE_SECONDS)
         Path(unfinished).replace(target)

@@ -1,0 +1,102 @@
+"""The proximal map of total variation on a network, exact where it can be, else within a bound.
+
+For numbers y at the nodes and capacities c of the links it is
+
+    prox(y) = argmin over x of 1/2 |x - y|^2 + sum over links ij of c_ij |x_i - x_j|.
+
+Its dual seeks a flow f with |f_ij| <= c_ij such that x = y - B f is as short as can be, so that the
+sum over the nodes of each component is kept whatever flow one stops at.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sensortrack.kernels.dual import ascend, gap
+from sensortrack.kernels.grouping import agreed_groups
+from sensortrack.kernels.links import Links
+
+Floats = NDArray[np.float64]
+FIRST_LOOK = 8
+"""Dual steps after which groups are looked for; then after twice as many, and so on."""
+
+
+@dataclass(frozen=True, eq=False)
+class Proximal:
+    """A point of the proximal map with what is known about it.
+
+    Parameters
+    ----------
+    x : ndarray of float64, shape (n,)
+        The point, by place.
+    flow : ndarray of float64, shape (m,)
+        Feasible, with x = y - B flow up to rounding.
+    exact : bool
+        The optimality conditions hold up to rounding.
+    error : float
+        Bound of the distance from the exact point: 0 if `exact`.
+    iterations : int
+        Dual steps taken.
+    """
+
+    x: Floats
+    flow: Floats
+    exact: bool
+    error: float
+    iterations: int
+
+
+def proximal(
+    links: Links,
+    y: Floats,
+    capacity: Floats,
+    start: Floats | None = None,
+    tolerance: float = 0.0,
+    most: int = 10_000,
+) -> Proximal:
+    """Evaluate the proximal map of one component.
+
+    Parameters
+    ----------
+    links : Links
+    y : ndarray of float64, shape (n,)
+        By place.
+    capacity : ndarray of float64, shape (m,)
+        Of each link, not negative.
+    start : ndarray of float64, shape (m,), optional
+        A flow to start from; that of a similar problem saves most of the work.
+    tolerance : float, optional
+        Distance from the exact point at which to stop.
+    most : int, optional
+        Dual steps after which to stop in any case.
+
+    Returns
+    -------
+    Proximal
+
+    Notes
+    -----
+    With d = B'x and x = y - B f the duality gap is sum (c |d| - f d). Each of the two objectives
+    is off by half of |x - prox|^2 at least, hence |x - prox|^2 <= gap.
+
+    As soon as the links that are not saturated make groups of one value each, and a flow through a
+    spanning forest of the groups says that these are optimal, the point is exact.
+    """
+    zero = np.zeros(links.m)
+    flow = zero if start is None else np.clip(start, -capacity, capacity)
+    done, batch = 0, 0
+    momentum, ahead = 1.0, flow
+    while True:
+        grouped = agreed_groups(links, y, capacity, flow)
+        if grouped is not None:
+            return Proximal(*grouped, True, 0.0, done)
+        x = y - links.incidence @ flow
+        error = float(np.sqrt(gap(links, x, capacity, flow)))
+        if error <= tolerance or done >= most:
+            return Proximal(x, flow, False, error, done)
+        batch = min(max(FIRST_LOOK, done), most - done)
+        flow, ahead, momentum = ascend(links, y, capacity, flow, ahead, momentum, batch)
+        done += batch

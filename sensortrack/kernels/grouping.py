@@ -1,0 +1,92 @@
+"""Round a nearly optimal flow to groups of equal value, and prove them optimal."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from .links import Forest, Links, rooted
+
+Floats = NDArray[np.float64]
+ULP = 2.0**-52
+
+
+def agreed_groups(
+    links: Links, y: Floats, capacity: Floats, flow: Floats
+) -> tuple[Floats, Floats] | None:
+    """Exact point of the proximal map, if the unsaturated links tell its groups.
+
+    Parameters
+    ----------
+    links : Links
+    y : ndarray of float64, shape (n,)
+        By place.
+    capacity, flow : ndarray of float64, shape (m,)
+        Of each link, |flow| <= capacity.
+
+    Returns
+    -------
+    x, flow : ndarray of float64, shapes (n,) and (m,)
+        The point, one number for each group, and a flow that proves it: up to rounding x = y - B
+        flow, within the capacities, and saturated downhill between groups of different value. None
+        if no such flow was found.
+
+    Notes
+    -----
+    Places joined by unsaturated links are a group. What its saturated links leave it, shared
+    equally, is its value; what is then missing inside the group is sent along a spanning tree.
+    """
+    free = np.abs(flow) < capacity
+    inside = _groups(links, free)
+    between = inside[links.ends[:, 0]] != inside[links.ends[:, 1]]
+    x = _values(inside, y - links.incidence @ np.where(between, flow, 0.0))
+    missing = y - x - links.incidence @ flow
+    forest = rooted(links.n, links.ends[free], np.flatnonzero(free).astype(np.int32))
+    sent = flow + _routed(links, forest, missing)
+    slack = rounding(links, y - x, capacity)
+    drop = np.where(between, np.sign(flow) * (x[links.ends[:, 0]] - x[links.ends[:, 1]]), 0.0)
+    if (np.abs(sent) > capacity + slack).any() or (drop < -slack).any():
+        return None
+    return x, np.clip(sent, -capacity, capacity)
+
+
+def rounding(links: Links, moved: Floats, capacity: Floats) -> float:
+    """What sums over the network may be off by: 16 sqrt(n) units in the last place."""
+    largest = float(np.max(np.abs(moved))) + float(np.max(capacity, initial=0.0))
+    return 16 * ULP * float(np.sqrt(links.n)) * largest
+
+
+def _groups(links: Links, free: NDArray[np.bool_]) -> NDArray[np.int32]:
+    """Number of the group of each place."""
+    ends = links.ends[free]
+    ones = np.ones(len(ends), dtype=np.int8)
+    joined = sparse.coo_array((ones, (ends[:, 0], ends[:, 1])), shape=(links.n, links.n))
+    found: NDArray[np.int32] = csgraph.connected_components(joined, directed=False)[1]
+    return found
+
+
+def _values(group: NDArray[np.int32], rows: Floats) -> Floats:
+    """Mean of each group, at its members; taken twice, the second time of small numbers."""
+    size = np.bincount(group)
+    mean = np.bincount(group, rows) / size
+    mean = mean + np.bincount(group, rows - mean[group]) / size
+    found: Floats = mean[group]
+    return found
+
+
+def _routed(links: Links, forest: Forest, missing: Floats) -> Floats:
+    """Flow of links that brings each place what it lacks, along the forest to the roots."""
+    below = missing[forest.order].tolist()
+    up, link = forest.up.tolist(), forest.link.tolist()
+    found = np.zeros(links.m)
+    for moment in range(links.n - 1, -1, -1):
+        parent = up[moment]
+        if parent >= 0:
+            below[parent] += below[moment]
+            found[link[moment]] = below[moment]
+    outward = links.ends[np.maximum(forest.link, 0), 0] == forest.order
+    turned = forest.link[(forest.link >= 0) & ~outward]
+    found[turned] *= -1
+    return found
