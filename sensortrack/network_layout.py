@@ -7,14 +7,14 @@ from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 ROUNDS = 300
-FLATTER = 0.7
-"""Height over width of the ellipse from which nodes spread."""
+NUDGE = 0.02
+"""How far nodes that would coincide at the start are moved apart, in hops."""
 
 
 def spread_places(n: int, edges: ArrayLike) -> Floats:
     """Places whose distances are near the hop distances: the same picture every time.
 
-    Stress majorisation from nodes on an ellipse, in the order of their numbers.
+    Stress majorisation from the classical scaling of the hop distances.
 
     Parameters
     ----------
@@ -28,8 +28,7 @@ def spread_places(n: int, edges: ArrayLike) -> Floats:
         In hops. Components are n hops apart.
     """
     hops = _hop_distances(n, np.asarray(edges, dtype=np.int64).reshape(-1, 2))
-    angle = 2 * np.pi * np.arange(n) / n
-    x: Floats = np.stack([np.cos(angle), FLATTER * np.sin(angle)], axis=1) * n / 4
+    x = _scaled(hops)
     weight = np.where(hops > 0, 1 / np.maximum(hops, 1) ** 2, 0.0)
     total = np.maximum(weight.sum(axis=1, keepdims=True), 1e-9)
     for _ in range(ROUNDS):
@@ -37,6 +36,23 @@ def spread_places(n: int, edges: ArrayLike) -> Floats:
         length = np.sqrt((apart**2).sum(axis=2)) + 1e-9
         pull = (weight * hops / length)[:, :, None] * apart
         x = (weight @ x + pull.sum(axis=1)) / total
+    return x
+
+
+def _scaled(hops: Floats) -> Floats:
+    """Classical scaling: the two main axes of the squared distances without their means."""
+    n = len(hops)
+    angle = 2 * np.pi * np.arange(n) / n
+    x: Floats = NUDGE * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    if n < 3:
+        x[:, 0] += np.arange(n)
+        return x
+    squares = hops**2
+    centred = squares - squares.mean(axis=0) - squares.mean(axis=1)[:, None] + squares.mean()
+    values, vectors = np.linalg.eigh(-centred / 2)
+    main = vectors[:, -2:][:, ::-1]
+    turned = main * np.sign(main[np.abs(main).argmax(axis=0), [0, 1]])
+    x += turned * np.sqrt(np.maximum(values[-2:][::-1], 0.0))
     return x
 
 

@@ -1,6 +1,7 @@
-"""Figures of runs with matplotlib, in the look of the reports."""
+"""Figures of runs and networks with matplotlib, in the look of the reports."""
 
 from .figures import save_run
+from .networks import draw_cut
 from .style import COLOURS, style
 
-__all__ = ["COLOURS", "save_run", "style"]
+__all__ = ["COLOURS", "draw_cut", "save_run", "style"]
