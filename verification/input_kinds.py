@@ -186,6 +186,18 @@ def _coordinates(name: str, data: tuple[Fraction, ...], setting: Setting) -> tup
     return data
 
 
+def _point(name: str, given: object) -> tuple[Fraction, ...]:
+    if not isinstance(given, list) or len(given) != 2:
+        raise InputError(name, shown(given), "a list of two numbers is needed")
+    return tuple(_entry(name, f"number {i}", value) for i, value in enumerate(given, start=1))
+
+
+def _points(name: str, given: object) -> tuple[tuple[Fraction, ...], ...]:
+    if not isinstance(given, list) or not given:
+        raise InputError(name, shown(given), "a list of points of two numbers is needed")
+    return tuple(_point(f"{name}[{i}]", value) for i, value in enumerate(given))
+
+
 def _as_read(_: str, data: Any, __: Setting) -> Any:
     return data
 
@@ -195,5 +207,7 @@ KINDS: Mapping[str, Kind] = {
     "matrix": Kind("a number or a list of rows", _matrix, _multiple),
     "planar matrix": Kind("a number or two rows of two numbers", _matrix, _planar),
     "vector": Kind("a number or a list of numbers", _vector, _coordinates),
+    "point": Kind("a list of two numbers", _point, _as_read),
+    "points": Kind("a list of lists of two numbers", _points, _as_read),
     "node numbers": Kind("a number, a list or {node: number}", _node_numbers, _by_node),
 }

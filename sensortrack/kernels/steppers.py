@@ -60,7 +60,7 @@ class Stepper:
         Returns
         -------
         ndarray
-            The resulting state, flat.
+            The resulting state, or what else the function is for, flat.
 
         Raises
         ------
@@ -79,7 +79,8 @@ class Stepper:
         Parameters and result are those of `call`, which checks the sizes.
         """
         arrays = [np.ascontiguousarray(group, dtype=np.float64) for group in groups]
-        found = np.empty(len(self.module.STATE))
+        group = getattr(self.module, "OUTPUTS", {}).get(name, "state")
+        found = np.empty(len(getattr(self.module, group.upper())))
         function = self._function(name)
         function(*(ctypes.c_void_p(array.ctypes.data) for array in (*arrays, found)))
         return found

@@ -1,13 +1,11 @@
 """Laws of every generated stepper: purity, shapes, units, frames, replay, one result everywhere."""
 
-import re
-
 import numpy as np
 import pytest
 
 from sensortrack.errors import InputError
 from sensortrack.kernels.steppers import stepper
-from tests.laws.cases import ROTATED
+from tests.laws.cases import CONDITION, FRAMES
 from tests.laws.loading import loaded
 from theory.codegen.casadi import casadi
 from theory.codegen.emit import STEPPERS, stepper_of
@@ -53,8 +51,8 @@ def test_arguments_stay_as_they_are_and_the_same_call_gives_the_same_bits(system
 
 
 @EACH
-def test_results_are_flat_doubles_of_the_state_layout(system, function):
-    size = len(SOURCES[system].layout("state"))
+def test_results_are_flat_doubles_of_the_layout(system, function):
+    size = len(SOURCES[system].layout(function.program.output))
     for groups in drawn(system, function, 2):
         for given in (groups, [g.tolist() for g in groups], [np.repeat(g, 2)[::2] for g in groups]):
             found = stepper(system).call(function.program.name, *given)
@@ -84,7 +82,7 @@ def test_other_units_give_the_same_numbers_in_those_units(system, function):
         ]
         plain = stepper(system).call(function.program.name, *groups)
         found = stepper(system).call(function.program.name, *turned)
-        assert bits(found) == bits(plain * factors(source, "state"))
+        assert bits(found) == bits(plain * factors(source, function.program.output))
 
 
 def factors(source, group):
@@ -98,38 +96,27 @@ def factors(source, group):
     return np.array(found)
 
 
-TURNED = [(name, f) for name, f in FUNCTIONS if f.program.name in ROTATED[name]]
+TURNED = [(name, f) for name, f in FUNCTIONS if f.program.name in FRAMES[name].functions]
 
 
 @pytest.mark.parametrize(
     "system, function", TURNED, ids=[f"{name}.{f.program.name}" for name, f in TURNED]
 )
 def test_a_turned_frame_turns_the_result(system, function):
-    rotation = np.linalg.qr(np.random.default_rng(8).normal(size=(3, 3)))[0]
+    frame, source = FRAMES[system], SOURCES[system]
+    turn = frame.draw(np.random.default_rng(8))
+
+    def turned(group, numbers):
+        return frame.turned([name for name, _ in source.layout(group)], numbers, turn)
+
     for groups in drawn(system, function):
-        turned = [
-            rotated(SOURCES[system], name, g, rotation)
-            for g, name in zip(groups, groups_of(system, function), strict=True)
-        ]
-        found = stepper(system).call(function.program.name, *turned)
+        found = stepper(system).call(
+            function.program.name,
+            *(turned(name, g) for g, name in zip(groups, groups_of(system, function), strict=True)),
+        )
         plain = stepper(system).call(function.program.name, *groups)
-        wanted = rotated(SOURCES[system], "state", plain, rotation)
+        wanted = turned(function.program.output, plain)
         assert found == pytest.approx(wanted, rel=1e-9, abs=1e-9 * np.abs(wanted).max())
-
-
-def rotated(source, group, numbers, rotation):
-    """Vectors v to Rv, matrices A to RAR'; what has no index stays."""
-    whole = dict(zip([name for name, _ in source.layout(group)], numbers, strict=True))
-    found = dict(whole)
-    for name in {re.sub(r"_\d+$", "", key) for key in whole if re.search(r"_\d+$", key)}:
-        if f"{name}_0" in whole:
-            column = rotation @ [whole[f"{name}_{i}"] for i in range(3)]
-            found |= {f"{name}_{i}": column[i] for i in range(3)}
-        else:
-            upper = [[whole[f"{name}_{min(i, j)}{max(i, j)}"] for j in range(3)] for i in range(3)]
-            square = rotation @ np.array(upper) @ rotation.T
-            found |= {f"{name}_{i}{j}": square[i, j] for i in range(3) for j in range(i, 3)}
-    return np.array([found[name] for name in whole])
 
 
 @pytest.mark.parametrize("system", STEPPERS)
@@ -146,20 +133,45 @@ def test_replay_is_step_after_step(system):
 
 
 @EACH
-def test_floats_numpy_casadi_and_compiled_source_agree_bit_by_bit(system, function):
-    """Only + - * / and square roots occur, which every language rounds alike."""
+def test_floats_numpy_casadi_and_compiled_source_agree(system, function):
+    """Bit by bit where only + - * / and square roots occur, which every language rounds alike.
+
+    Sines and cosines are those of one C library for floats and compiled source, again bit by bit;
+    those of NumPy and CasADi may differ by the slack of the vector.
+    """
     source, name = SOURCES[system], function.program.name
-    roads = [
+    loaded_numpy, in_casadi = loaded(numpy(source))[name], loaded(casadi(source))[name]()
+    one_library = [
         loaded(python(source))[name],
-        lambda *groups: loaded_numpy(*map(np.array, groups)),
-        lambda *groups: in_casadi(*groups).full().ravel(),
         lambda *groups: stepper(system).call(name, *groups),
         lambda *groups: stepper(system).compiled(name, *groups),
     ]
-    loaded_numpy, in_casadi = loaded(numpy(source))[name], loaded(casadi(source))[name]()
+    others = [
+        lambda *groups: loaded_numpy(*map(np.array, groups)),
+        lambda *groups: in_casadi(*groups).full().ravel(),
+    ]
     for vector in vectors(source, function):
-        for road in roads:
+        for road in one_library if not source.exact else one_library + others:
             assert bits(road(*vector.given)) == bits(vector.wanted)
+        for road in () if source.exact else others:
+            off = np.abs(road(*vector.given) - np.array(vector.wanted))
+            same = np.isnan(road(*vector.given)) & np.isnan(vector.wanted)
+            assert (same | (off <= vector.slack)).all()
+
+
+@EACH
+def test_slack_is_a_few_roundings_of_what_the_data_determine(system, function):
+    """No result of a vector hangs on the last bit of a sine, and no status on any bit of it."""
+    source = SOURCES[system]
+    names = [name for name, _ in source.layout(function.program.output)]
+    for vector in vectors(source, function):
+        if source.exact:
+            assert vector.slack == ()
+            continue
+        finite = [abs(x) for x in vector.wanted if np.isfinite(x)]
+        for name, slack in zip(names, vector.slack, strict=True):
+            allowed = 0.0 if name in ("status", "known") else 4 * CONDITION[system] * ROUNDINGS
+            assert slack <= allowed * max([1.0, *finite])
 
 
 @EACH
@@ -171,4 +183,4 @@ def test_fifty_digits_are_met_within_a_few_roundings(system, function):
         exact = evaluate(source.stepper, function.program, source.n, given)
         found = stepper(system).call(name, *groups)
         error = max(abs(a - b) for a, b in zip(found.tolist(), exact, strict=True))
-        assert error <= ROUNDINGS * max(abs(x) for x in exact)
+        assert error <= CONDITION[system] * ROUNDINGS * max(abs(x) for x in exact)

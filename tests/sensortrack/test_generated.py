@@ -15,7 +15,7 @@ from sensortrack.generated import variational, variational_numpy
 from sensortrack.kernels.steppers import stepper
 from tests.meta.repository import ROOT
 from theory.__main__ import generated_files
-from theory.codegen.emit import files
+from theory.codegen.emit import STEPPERS, files, stepper_of
 from theory.codegen.printing import source_of
 from theory.codegen.vectors import vectors
 from theory.systems.variational.stepper import STEPPER
@@ -78,11 +78,12 @@ def test_without_a_compiler_the_same_numbers_come_from_floats(monkeypatch):
     assert bits(found.ravel()) == bits(stepper("variational").run(context, state, inputs).ravel())
 
 
+@pytest.mark.parametrize("system", STEPPERS)
 @pytest.mark.parametrize("compiler", COMPILERS)
-def test_the_folder_tests_itself_with_a_compiler_alone(tmp_path, compiler):
+def test_the_folder_tests_itself_with_a_compiler_alone(tmp_path, compiler, system):
     if shutil.which(compiler) is None:
         pytest.skip(f"{compiler} is not installed")
-    for name, text in files(SOURCE, "c").items():
+    for name, text in files(source_of(stepper_of(system)), "c").items():
         (tmp_path / name).write_text(text)
     done = subprocess.run(
         ["make", "-C", tmp_path, f"CC={compiler}", "test"],
@@ -99,6 +100,28 @@ def test_the_self_test_sees_a_wrong_coefficient(tmp_path):
     for name, text in files(SOURCE, "c").items():
         wrong = text.replace("(h * K_01)", "(h * K_02)") if name.endswith("l.c") else text
         (tmp_path / name).write_text(wrong)
+    done = subprocess.run(
+        ["make", "-C", tmp_path, "test"], capture_output=True, text=True, check=False
+    )
+    assert done.returncode != 0
+    assert " 0 mismatches" not in done.stdout
+
+
+@pytest.mark.parametrize(
+    "right,wrong",
+    [
+        ("((-TRK_R(1.0)) * TRK_SIN(theta))", "(TRK_R(1.0) * TRK_SIN(theta))"),
+        ("own_P_0 > other_P_0", "other_P_0 > own_P_0"),
+        ("(p_i_det > det_min) ?", "(p_i_det < det_min) ?"),
+    ],
+)
+def test_the_self_test_with_slack_sees_a_wrong_line(tmp_path, right, wrong):
+    texts = files(source_of(stepper_of("bearing_dac")), "c")
+    assert right in texts["bearing_dac.c"]
+    for name, text in texts.items():
+        (tmp_path / name).write_text(
+            text.replace(right, wrong) if name == "bearing_dac.c" else text
+        )
     done = subprocess.run(
         ["make", "-C", tmp_path, "test"], capture_output=True, text=True, check=False
     )

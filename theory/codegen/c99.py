@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from .lower import Lowered, entries
-from .printing import ABI, Source, heading, text
+from .printing import ABI, Language, Source, heading, text
 from .python import arguments
 
 COMPILE = "-std=c99 -Wall -Wextra -Wconversion -Wdouble-promotion -pedantic -ffp-contract=off"
@@ -17,14 +17,21 @@ def header(source: Source) -> str:
     guard = f"{prefix.upper()}_H"
     lines = [*comment([*heading(source), "", f"compile with {COMPILE}"]), ""]
     lines += [f"#ifndef {guard}", f"#define {guard}", "", "#include <stddef.h>", ""]
-    lines += ["#ifdef TRK_REAL_FLOAT", "typedef float trk_real;", "#define TRK_R(x) x##f", "#else"]
-    lines += ["typedef double trk_real;", "#define TRK_R(x) x", "#endif", ""]
+    single, double = (
+        [f"#define TRK_{name.upper()} {name}{ending}" for name in _mathematics(source)]
+        for ending in ("f", "")
+    )
+    lines += ["#ifdef TRK_REAL_FLOAT", "typedef float trk_real;", "#define TRK_R(x) x##f"]
+    lines += [*single, "#else", "typedef double trk_real;", "#define TRK_R(x) x", *double]
+    lines += ["#endif", ""]
     lines += [f"#define {prefix.upper()}_ABI {ABI}", f"#define {prefix.upper()}_N {source.n}", ""]
     for group in source.stepper.groups:
         lines += _struct(source, group)
     lines += ["#ifdef __cplusplus", 'extern "C" {', "#endif", ""]
     for function in source.functions:
-        lines += comment([function.program.about + "; the result may be the state that went in."])
+        inside = "; the result may be the state that went in"
+        ending = inside if function.program.output == "state" else ""
+        lines += comment([f"{function.program.about}{ending}."])
         lines += [f"{_prototype(source, function)};", ""]
     lines += comment(["Many steps; if out is not a null pointer, each state is written to it."])
     lines += [f"{_run_prototype(source)};", ""]
@@ -38,6 +45,7 @@ def implementation(source: Source) -> str:
     """The functions."""
     prefix = prefix_of(source)
     lines = [f'#include "{source.stepper.system}.h"', ""]
+    lines += ["#include <math.h>", ""] if _mathematics(source) else []
     lines += [f"const char *{prefix}_digest(void)", "{", f'    return "{source.digest}";', "}", ""]
     for function in source.functions:
         lines += [*_function(source, function), ""]
@@ -56,6 +64,21 @@ def literal(value: Fraction) -> str:
     number = number if {".", "e"} & {*number} else f"{number}.0"
     number = number if "." in number else number.replace("e", ".0e")
     return f"TRK_R({number})" if value >= 0 else f"(-TRK_R({number}))"
+
+
+C = Language(
+    literal,
+    {
+        **{name: f"TRK_{name.upper()}({{0}})" for name in ("sin", "cos", "sqrt")},
+        "sgn": "(trk_real)(({0} > {1}) - ({0} < {1}))",
+        "select": "(({0} > {1}) ? {2} : {3})",
+    },
+)
+
+
+def _mathematics(source: Source) -> list[str]:
+    """Functions of the C library that are called."""
+    return sorted({"sin", "cos", "sqrt"} & source.calls)
 
 
 def comment(lines: list[str]) -> list[str]:
@@ -81,7 +104,7 @@ def _prototype(source: Source, function: Lowered) -> str:
     prefix = prefix_of(source)
     given = [f"const {prefix}_{group} *{group}" for group in arguments(source, function)]
     name = f"{prefix}_{function.program.name}"
-    return f"void {name}({', '.join([*given, f'{prefix}_state *next'])})"
+    return f"void {name}({', '.join([*given, f'{prefix}_{function.program.output} *next'])})"
 
 
 def _run_prototype(source: Source) -> str:
@@ -100,16 +123,17 @@ def _function(source: Source, function: Lowered) -> list[str]:
     lines = [_prototype(source, function), "{"]
     used = _used(function)
     for group in arguments(source, function):
-        for name, place in _places(source, group):
-            if name in used:
-                lines.append(f"    const trk_real {name} = {group}->{place};")
+        read = [(name, place) for name, place in _places(source, group) if name in used]
+        lines += [f"    const trk_real {name} = {group}->{place};" for name, place in read]
+        lines += [] if read else [f"    (void){group};"]
     for line in function.lines:
         lines += ["", f"    /* {line.heading} */"] if line.heading else []
-        value = text(function, line.expr, literal, own=True)
+        value = text(function, line.expr, C, own=True)
         lines.append(f"    const trk_real {line.name} = {value};")
     lines.append("")
-    for (_, place), result in zip(_places(source, "state"), function.results, strict=True):
-        lines.append(f"    next->{place} = {text(function, result, literal)};")
+    places = _places(source, function.program.output)
+    for (_, place), result in zip(places, function.results, strict=True):
+        lines.append(f"    next->{place} = {text(function, result, C)};")
     return [*lines, "}"]
 
 

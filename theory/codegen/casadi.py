@@ -2,8 +2,17 @@
 
 from __future__ import annotations
 
-from .printing import Source, decimal, heading, text
+from .printing import Language, Source, decimal, heading, text
 from .python import arguments
+
+SYMBOLS = Language(
+    decimal,
+    {
+        **{name: f"ca.{name}({{0}})" for name in ("sin", "cos", "sqrt")},
+        "sgn": "(({0} > {1}) - ({0} < {1}))",
+        "select": "ca.if_else({0} > {1}, {2}, {3})",
+    },
+)
 
 
 def casadi(source: Source) -> str:
@@ -20,11 +29,12 @@ def casadi(source: Source) -> str:
             lines += [f"    {entry} = {group}_[{k}]" for k, entry in enumerate(names)]
         for line in function.lines:
             lines += [f"    # {line.heading}"] if line.heading else []
-            lines.append(f"    {line.name} = {text(function, line.expr, decimal, own=True)}")
-        results = [text(function, result, decimal) for result in function.results]
-        lines += ["    state_next_ = ca.vertcat(", *(f"        {r}," for r in results), "    )"]
+            lines.append(f"    {line.name} = {text(function, line.expr, SYMBOLS, own=True)}")
+        results = [text(function, result, SYMBOLS) for result in function.results]
+        out = f"{function.program.output}_next"
+        lines += [f"    {out}_ = ca.vertcat(", *(f"        {r}," for r in results), "    )"]
         given = ", ".join(f"{group}_" for group in groups)
         labels = ", ".join(f'"{group}"' for group in groups)
-        ends = f'[{given}], [state_next_], [{labels}], ["state_next"]'
+        ends = f'[{given}], [{out}_], [{labels}], ["{out}"]'
         lines.append(f'    return ca.Function("{name}", {ends})')
     return "\n".join(lines) + "\n"

@@ -9,12 +9,12 @@ from importlib import import_module
 from .c99 import COMPILE, header, implementation
 from .casadi import casadi
 from .printing import ABI, GENERATOR, Source
-from .python import numpy, python
+from .python import arguments, numpy, python
 from .selftest import c_program, python_program, vectors_header
 from .stepper import Stepper
 
 TARGETS = ("python", "numpy", "c", "casadi")
-STEPPERS = ("variational",)
+STEPPERS = ("bearing_dac", "variational")
 """Systems whose laws are generated."""
 
 
@@ -145,14 +145,19 @@ def _readme(source: Source, target: str) -> str:
         "c": f"`trk_{system}_init`, then `trk_{system}_step` at each sample; `trk_{system}_run` "
         "takes many samples at once. Compile with `-ffp-contract=off` for equal bits everywhere; "
         "`-DTRK_REAL_FLOAT` computes in single precision.",
-        "python": "`init(start, input)`, then `step(context, state, input)` at each sample: flat "
-        "sequences of floats in, a tuple out.",
-        "numpy": "`init(start, input)`, then `step(context, state, input)`: the first axis is the "
-        "component, all other axes are lanes.",
-        "casadi": "`init()` and `step()` return a `casadi.Function` of the groups below.",
+        "python": "`init`, then `step` at each sample: flat sequences of floats in, a tuple out.",
+        "numpy": "`init`, then `step` at each sample: the first axis is the component, all other "
+        "axes are lanes.",
+        "casadi": "Each function returns a `casadi.Function` of the groups below.",
     }
+    functions = [
+        f"| `{f.program.name}({', '.join(arguments(source, f))})` | {f.program.output} | "
+        f"{f.program.about} |"
+        for f in source.functions
+    ]
     lines = [f"# {source.stepper.title}", "", f"{source.n} coordinates; constants: {constants}."]
     lines += ["", calls[target], "", f"`{test}` runs the self-test.", ""]
+    lines += ["| function of groups | result | what it is |", "| --- | --- | --- |", *functions, ""]
     lines += ["| group | name | unit | meaning |", "| --- | --- | --- | --- |", *rows, ""]
     lines += [
         "Matrices are kept as upper triangles by rows. Assumed, so that no division fails:",

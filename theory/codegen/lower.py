@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from ..expressions import Tree, canonical
+from .safe import direction, guarded, signs
 from .scalars import Algebra, Expr, Matrix, Pool
 from .stepper import Assignment, Program, Slot, Stepper
 
@@ -33,7 +34,7 @@ class Lowered:
     program : Program
     lines : tuple of Line
     results : tuple of Expr
-        One an entry of the state, in the order of its slots.
+        One an entry of the resulting group, in the order of its slots.
     names : mapping
         Expression object to the name that is printed for it.
     """
@@ -67,7 +68,7 @@ def lower(stepper: Stepper, program: Program, n: int, given: Given) -> Lowered:
     work = _Lowering(stepper, n, given)
     for assignment in program.assignments:
         work.assign(assignment)
-    slots = stepper.groups["state"]
+    slots = stepper.groups[program.output]
     results = tuple(x for slot in slots for (x,) in work.values[program.results[slot.name]])
     lines, names = _named(work.roots, results)
     return Lowered(program, lines, results, names)
@@ -102,7 +103,9 @@ class _Lowering:
         stem = _stem(assignment.target)
         heading = f"{assignment.target}, {assignment.source}"
         value = self.evaluate(assignment.tree)
-        if assignment.factor is not None:
+        if assignment.guard:
+            value = self._guarded(assignment, value, stem, heading)
+        elif assignment.factor is not None:
             value = self._solved(self.evaluate(assignment.factor), value, stem, heading)
         else:
             value = self._record(stem, value, heading)
@@ -124,10 +127,42 @@ class _Lowering:
                 return self.values[f"next({name})"]
             case ("call", "sum", _):
                 return self.values[self.sums[canonical(tree)]]
+            case ("call", "sin" | "cos" | "column" | "sgn", *_) | (
+                "direction" | "entry" | "rows",
+                *_,
+            ):
+                return self._plane(tree)
             case (str(sign), left, right) if sign in "+-*/":
                 operation = {"+": algebra.add, "-": algebra.sub, "*": algebra.mul, "/": algebra.div}
                 return operation[sign](self.evaluate(left), self.evaluate(right))
         raise ValueError(f"{canonical(tree)} cannot be generated")
+
+    def _plane(self, tree: Tree) -> Matrix:
+        """What bearings need: angles, entries, signs."""
+        match tree:
+            case ("call", "sin" | "cos" as function, inner):
+                return ((self.pool.call(function, self.evaluate(inner)[0][0]),),)
+            case ("call", "column", *parts):
+                return tuple(self.evaluate(part)[0] for part in parts)
+            case ("call", "sgn", ("-", left, right)):
+                return signs(self.pool, self.evaluate(left), self.evaluate(right))
+            case ("direction", inner):
+                return direction(self.pool, self.evaluate(inner))
+            case ("entry", inner, int(i), int(j)):
+                return ((self.evaluate(inner)[i][j],),)
+            case ("rows", *rows):
+                return tuple(tuple(self.evaluate(x)[0][0] for x in row) for row in rows)
+        raise ValueError(f"{canonical(tree)} cannot be generated")
+
+    def _guarded(self, given: Assignment, b: Matrix, stem: str, heading: str) -> Matrix:
+        """Solve A x = b for symmetric A of two rows where det A is large enough, else 0."""
+        ((bound,),) = self.values[given.guard]
+        solved = guarded(self.pool, self.evaluate(given.factor or ()), b, bound)
+        for name, expr in solved.parts.items():
+            self._line(f"{stem}_{name}", expr, heading)
+            heading = ""
+        self.values[f"status({given.target})"] = ((solved.known,),)
+        return self._record(stem, solved.values, "")
 
     def _record(self, stem: str, value: Matrix, heading: str) -> Matrix:
         """Give each entry a line of its own."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from .lower import Given, Lowered, entries, lower
-from .scalars import Expr
+from .scalars import FUNCTIONS, LIBM, Expr
 from .stepper import Slot, Stepper
 
 GENERATOR = "sensortrack 0.1"
@@ -54,6 +54,22 @@ class Source:
         }
 
     @property
+    def calls(self) -> frozenset[str]:
+        """The ``FUNCTIONS`` that are used."""
+        found: set[str] = set()
+        stack = [line.expr for f in self.functions for line in f.lines]
+        while stack:
+            part = stack.pop()
+            found.add(part.op)
+            stack.extend(part.args)
+        return frozenset(found & {*FUNCTIONS})
+
+    @property
+    def exact(self) -> bool:
+        """Whether every language computes the same bits: no sine, no cosine."""
+        return self.calls.isdisjoint(LIBM)
+
+    @property
     def digest(self) -> str:
         """SHA-256 of the statement lists, the layouts and the options."""
         content = {
@@ -63,8 +79,8 @@ class Source:
             "layouts": {group: self.layout(group) for group in self.stepper.groups},
             "functions": {
                 f.program.name: [
-                    [[line.name, text(f, line.expr, str, own=True)] for line in f.lines],
-                    [text(f, result, str) for result in f.results],
+                    [[line.name, text(f, line.expr, PLAIN, own=True)] for line in f.lines],
+                    [text(f, result, PLAIN) for result in f.results],
                 ]
                 for f in self.functions
             },
@@ -89,28 +105,54 @@ def source_of(stepper: Stepper, n: int | None = None, given: Given | None = None
     return Source(stepper, size, constants, functions)
 
 
-def text(
-    function: Lowered, expr: Expr, literal: Callable[[Fraction], str], own: bool = False
-) -> str:
+@dataclass(frozen=True)
+class Language:
+    """How numbers and functions are written.
+
+    Parameters
+    ----------
+    literal : callable
+        Writes an exact number.
+    forms : mapping of str to str
+        Each of ``FUNCTIONS`` to a pattern of its arguments.
+    """
+
+    literal: Callable[[Fraction], str]
+    forms: Mapping[str, str]
+
+
+CALLS = {
+    "sin": "sin({0})",
+    "cos": "cos({0})",
+    "sqrt": "sqrt({0})",
+    "sgn": "sgn({0}, {1})",
+    "select": "select({0} > {1}, {2}, {3})",
+}
+PLAIN = Language(str, CALLS)
+"""No language: for digests."""
+
+
+def text(function: Lowered, expr: Expr, language: Language, own: bool = False) -> str:
     """An expression with full brackets; named parts by name, but for the line's own.
 
     Parameters
     ----------
     function : Lowered
     expr : Expr
-    literal : callable
-        Writes a number.
+    language : Language
     own : bool, optional
         The expression is the right side of its own line.
     """
     if expr.op == "name":
         return expr.name
     if expr.op == "const":
-        return literal(expr.value)
+        return language.literal(expr.value)
     if not own and id(expr) in function.names:
         return function.names[id(expr)]
-    left, right = (text(function, part, literal) for part in expr.args)
-    return f"({left} {expr.op} {right})"
+    parts = [text(function, part, language) for part in expr.args]
+    if expr.op in language.forms:
+        return language.forms[expr.op].format(*parts)
+    return f"({parts[0]} {expr.op} {parts[1]})"
 
 
 def decimal(value: Fraction) -> str:
@@ -145,7 +187,7 @@ def heading(source: Source) -> list[str]:
         "Assumed, so that no division fails:",
         *(f"  {guard}" for guard in stepper.guards),
     ]
-    lines.append("A NaN in the data reaches every result that depends on it.")
+    lines.append(stepper.unknown)
     return lines
 
 

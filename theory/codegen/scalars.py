@@ -11,11 +11,16 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 ZERO, ONE = Fraction(0), Fraction(1)
+FUNCTIONS = ("sin", "cos", "sqrt", "sgn", "select")
+"""``sgn(a, b)`` is (a > b) - (a < b), so 0 if a number is unknown; ``select(a, b, x, y)`` is x if
+a > b, else y. Both sides of a select are computed, so neither may divide by zero."""
+LIBM = ("sin", "cos")
+"""Those whose last bit depends on the library; a square root is rounded alike everywhere."""
 
 
 @dataclass(frozen=True, eq=False)
 class Expr:
-    """One scalar: ``op`` is ``name``, ``const`` or one of ``+ - * /``."""
+    """One scalar: ``op`` is ``name``, ``const``, one of ``+ - * /`` or one of `FUNCTIONS`."""
 
     op: str
     args: tuple[Expr, ...] = ()
@@ -69,6 +74,9 @@ class Pool:
         for one, other in ((a, b), (b, a)):
             if one.constant and one.value in (ZERO, ONE):
                 return other if one.value == ONE else one
+        if a.constant and b.op == "*" and b.args[0].constant:
+            # CasADi folds such constants too, rounded twice; here the product is exact
+            return self.mul(self.const(a.value * b.args[0].value), b.args[1])
         return self._made("*", a, b)
 
     def div(self, a: Expr, b: Expr) -> Expr:
@@ -79,8 +87,12 @@ class Pool:
             return a
         return a if b.constant and b.value == ONE else self._made("/", a, b)
 
-    def _made(self, op: str, a: Expr, b: Expr) -> Expr:
-        return self.known.setdefault((op, id(a), id(b)), Expr(op, (a, b)))
+    def call(self, op: str, *args: Expr) -> Expr:
+        """One of `FUNCTIONS` of some scalars."""
+        return self._made(op, *args)
+
+    def _made(self, op: str, *args: Expr) -> Expr:
+        return self.known.setdefault((op, *map(id, args)), Expr(op, args))
 
 
 Matrix = tuple[tuple[Expr, ...], ...]

@@ -15,17 +15,20 @@ class Slot:
     Parameters
     ----------
     name : str
-        As in the laws.
+        As in the laws, or what it stands for there.
     shape : tuple of str or int
         ``()``, ``("n",)`` or ``("n", "n")``; n is chosen when source is generated.
     unit : str
     meaning : str
+    drawn : (float, float), optional
+        Ends of what test vectors take; by default what suits gains and their states.
     """
 
     name: str
     shape: tuple[str, ...]
     unit: str
     meaning: str
+    drawn: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -43,12 +46,16 @@ class Assignment:
     factor : tuple or None
         If the law is ``factor * target = tree``: the symmetric positive definite matrix, which is
         factored without square roots.
+    guard : str
+        Slot with the determinant above which a factor of two coordinates counts as invertible.
+        At or below it the target is 0, and ``status(target)`` is 0 instead of 1.
     """
 
     target: str
     tree: Tree
     source: str
     factor: Tree | None = None
+    guard: str = ""
 
 
 @dataclass(frozen=True)
@@ -62,9 +69,11 @@ class Program:
         Argument groups, in order.
     assignments : tuple of Assignment
     results : mapping of str to str
-        Slot of the state to the target that it becomes.
+        Slot of the resulting group to the target that it becomes.
     about : str
         One line for the source.
+    output : str, optional
+        The group that comes out; the state by default.
     """
 
     name: str
@@ -72,6 +81,7 @@ class Program:
     assignments: tuple[Assignment, ...]
     results: Mapping[str, str]
     about: str
+    output: str = "state"
 
 
 @dataclass(frozen=True)
@@ -91,6 +101,8 @@ class Stepper:
         What is assumed so that no division fails, with the reason.
     coordinates : int
         The n of the committed source.
+    unknown : str, optional
+        What becomes of numbers that are not known.
     """
 
     system: str
@@ -100,3 +112,4 @@ class Stepper:
     programs: tuple[Program, ...]
     guards: tuple[str, ...]
     coordinates: int
+    unknown: str = "A NaN in the data reaches every result that depends on it."

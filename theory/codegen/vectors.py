@@ -13,20 +13,31 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from .lower import Lowered
+from .lower import Lowered, entries
 from .printing import Source
 from .python import arguments, python
+from .scalars import LIBM
+from .stepper import Slot
 
+Numbers = Sequence[Sequence[float]]
+NUDGES = ((2, 2), (2, -2), (-2, 2), (-2, -2))
+"""Units in the last place by which sine and cosine are moved."""
 COUNT = 64
 SEED = 20
 
 
 @dataclass(frozen=True)
 class Vector:
-    """Numbers of each argument group and of the resulting state."""
+    """Numbers of each argument group and of the result.
+
+    `slack` is empty where every language computes the same bits. Else it is what each result may
+    be off because libraries round sines and cosines differently: what two units in the last place
+    of each do, twice, for what is not of first order.
+    """
 
     given: tuple[tuple[float, ...], ...]
     wanted: tuple[float, ...]
+    slack: tuple[float, ...] = ()
 
 
 class Single:
@@ -46,6 +57,12 @@ class Single:
 
     def __truediv__(self, other: Single | float) -> Single:
         return Single(_quotient(self.value, _value(other)))
+
+    def __gt__(self, other: Single | float) -> bool:
+        return self.value > _value(other)
+
+    def __lt__(self, other: Single | float) -> bool:
+        return self.value < _value(other)
 
     def __radd__(self, other: float) -> Single:
         return Single(_value(other)) + self
@@ -92,38 +109,63 @@ def vectors(source: Source, function: Lowered, precise: bool = True) -> tuple[Ve
     """
     rng = random.Random(SEED)
     run = _runner(source, function, precise)
+    nudged = [] if source.exact else [_runner(source, function, precise, n) for n in NUDGES]
     drawn = [_drawn(source, function, rng) for _ in range(COUNT)]
     edges = [_scaled(drawn[0], factor) for factor in (0.0, 2.0**-130, 2.0**100, math.nan)]
-    return tuple(_vector(run, given, precise) for given in [*drawn, *edges])
+    return tuple(_vector(run, nudged, given, precise) for given in [*drawn, *edges])
 
 
-def _runner(source: Source, function: Lowered, precise: bool) -> Callable[..., Sequence[Any]]:
+Run = Callable[..., Sequence[float]]
+
+
+def _runner(
+    source: Source, function: Lowered, precise: bool, nudge: tuple[int, int] = (0, 0)
+) -> Run:
+    """The function, its sines and cosines moved by some units in the last place."""
     space: dict[str, Any] = {}
     exec(python(source), space)
-    run: Callable[..., Sequence[Any]] = space[function.program.name]
+    run = space[function.program.name]
+    for name, units in zip(LIBM, nudge, strict=True):
+        if name in space:
+            space[name] = _rounded(space[name], precise, units)
+    if not precise:
+        space["sqrt"] = lambda x: Single(math.sqrt(_value(x)))
+        return lambda *groups: [_value(x) for x in run(*([Single(v) for v in g] for g in groups))]
+    return lambda *groups: list(run(*groups))
+
+
+def _rounded(libm: Callable[[float], float], precise: bool, units: int) -> Callable[[Any], Any]:
+    """A sine or cosine moved by some units, on doubles or on singles."""
+    unit = 2.0 ** (-52 if precise else -23) * units
     if precise:
-        return run
-    return lambda *groups: [x.value for x in run(*([Single(v) for v in group] for group in groups))]
+        return lambda x: (value := libm(x)) + abs(value) * unit
+    return lambda x: Single((value := single(libm(_value(x)))) + abs(value) * unit)
 
 
-def _vector(
-    run: Callable[..., Sequence[Any]], given: Sequence[Sequence[float]], precise: bool
-) -> Vector:
+def _vector(run: Run, nudged: Sequence[Run], given: Numbers, precise: bool) -> Vector:
     shown = given if precise else [[single(x) for x in group] for group in given]
-    return Vector(tuple(map(tuple, shown)), tuple(run(*shown)))
+    wanted = tuple(run(*shown))
+    moved = [[abs(a - b) for a, b in zip(n(*shown), wanted, strict=True)] for n in nudged]
+    slack = tuple(2 * max(column) for column in zip(*moved, strict=True))
+    known = tuple(0.0 if math.isnan(x) else x for x in slack)
+    return Vector(tuple(map(tuple, shown)), wanted, known)
 
 
 def _drawn(source: Source, function: Lowered, rng: random.Random) -> list[list[float]]:
     """Data within the guards: gains diagonally dominant, a step below one."""
     return [
-        [_number(name, source.n, rng) for name, _ in source.layout(group)]
-        if group == "context"
-        else [_short(rng.uniform(-10, 10)) for _ in source.layout(group)]
+        [_number(group, slot, name, source.n, rng) for slot, name in _named(source, group)]
         for group in arguments(source, function)
     ]
 
 
-def _number(name: str, n: int, rng: random.Random) -> float:
+def _named(source: Source, group: str) -> list[tuple[Slot, str]]:
+    return [(slot, name) for slot in source.slots(group) for name in entries(slot, source.n)]
+
+
+def _number(group: str, slot: Slot, name: str, n: int, rng: random.Random) -> float:
+    if slot.drawn is not None or group != "context":
+        return _short(rng.uniform(*(slot.drawn or (-10, 10))))
     _, _, index = name.partition("_")
     if len(index) != 2:
         return _short(rng.uniform(0.01, 0.5))
@@ -137,6 +179,6 @@ def _short(value: float) -> float:
     return round(value * 4096) / 4096
 
 
-def _scaled(given: list[list[float]], factor: float) -> list[list[float]]:
+def _scaled(given: Numbers, factor: float) -> list[list[float]]:
     """The same gains, with the last group times a factor."""
-    return [*given[:-1], [x * factor for x in given[-1]]]
+    return [*map(list, given[:-1]), [x * factor for x in given[-1]]]

@@ -97,3 +97,41 @@ def test_a_folder_that_holds_something_is_left_alone(tmp_path, capsys):
 def test_an_unknown_system_is_named(tmp_path, capsys):
     assert main(["generate", "variatonal", "--target", "c", "--out", str(tmp_path / "o")]) == 2
     assert "did you mean variational" in capsys.readouterr().err
+
+
+NODE = ("--set", "s=[3, 4]", "--set", "period=0.01")
+GAINS_OF_NODE = ("--set", "beta_P=1/2", "--set", "beta_q=20", "--set", "det_min=1e-6")
+
+
+def node(out, *arguments, target):
+    return main(["generate", "bearing_dac", "--target", target, "--out", str(out), *arguments])
+
+
+@pytest.mark.parametrize("target", ["python", "numpy", "c", "casadi"])
+@pytest.mark.parametrize("given", [NODE, (*NODE, *GAINS_OF_NODE)])
+def test_the_source_of_one_node_tests_itself(tmp_path, target, given):
+    assert node(tmp_path / "out", *given, target=target) == 0
+    run = [sys.executable, "selftest.py"] if target != "c" else ["make", "test"]
+    done = subprocess.run(run, cwd=tmp_path / "out", capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert " 0 mismatches" in done.stdout
+
+
+@pytest.mark.parametrize(
+    "given,name",
+    [
+        (("--set", "s=[1]"), "s"),
+        (("--set", "s=1"), "s"),
+        (("--set", "period=0"), "period"),
+        (("--set", "beta_P=-1"), "beta_P"),
+        (("--set", "beta_q=0"), "beta_q"),
+        (("--set", "det_min=1/4"), "det_min"),
+        (("--set", "det_min=-1"), "det_min"),
+        (("--coordinates", "3"), "--coordinates"),
+        (("--set", "beta=1"), "beta"),
+    ],
+)
+def test_bad_constants_of_a_node_are_refused_by_name(tmp_path, capsys, given, name):
+    assert node(tmp_path / "out", *given, target="c") == 2
+    assert capsys.readouterr().err.startswith(f"sensortrack: {name}: ")
+    assert not (tmp_path / "out").exists()
