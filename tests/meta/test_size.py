@@ -8,7 +8,11 @@ AIM = 250
 LIMIT = 500
 
 # A file above the limit stands here with the reason why it is one file.
-LONGER: dict[str, str] = {}
+LONGER: dict[str, str] = {
+    "verification/certificates/check.py": (
+        "the one program that has to be believed is read in one go"
+    ),
+}
 
 WRITTEN_BY_HAND = (".py", ".c", ".h", ".js", ".css", ".html", ".md", ".toml", ".yml")
 PRODUCED = ("sensortrack/generated/", "sensortrack/data/")

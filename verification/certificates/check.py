@@ -396,27 +396,37 @@ def cut_reaches(proof, graph, gamma, b, f, e, strict=False):
 def cut_drifts(proof, graph, gamma, b):
     """Some cut has N > b k: its disturbance drives its sides apart for ever."""
     cut_reaches(proof, graph, gamma, b, constant(1), constant(0), True)
-def run(proof, graph, beta, gamma, x0, x1, t):
-    """An admissible disturbance drives the error of x' in -beta B SGN(B'x) + M u from x0 to x1."""
-    need(len(graph.parts) == 1, "a connected graph, no product, is due")
-    x, bound, clock = pick(x0, range(graph.n)), pick(gamma, range(graph.n)), Fraction(0)
-    need(sum(x) == 0, "an error has the sum zero")
-    edges, beta = graph.parts[0][1], beta.number()
+def points(proof, graph, beta, bound, x, clock=Fraction(0)):
+    """Times and errors where the straight pieces of a run of x' in -beta B SGN(B'x) + M u, |u| <= bound, end."""
+    yield clock, x
+    edges, beta = [edge for _, edges in graph.parts for edge in edges], beta.number()
     for piece in listed(proof.take({"trajectory": "pieces"})["pieces"]):
         need(type(piece) is dict and {*piece} == {"duration", "disturbance", "signs"}, "keys of a piece")
         span, u = number(piece["duration"]), listed(piece["disturbance"], graph.n, number)
         need(span > 0 and all(abs(a) <= g for a, g in zip(u, bound)), "disturbance above its bound")
-        rate, signs = [a - sum(u) / graph.n for a in u], listed(piece["signs"], len(edges), number)
+        rate, signs = [a - mean for mean in [sum(u) / graph.n] for a in u], listed(piece["signs"], len(edges), number)
         for (i, j, w), sign in zip(edges, signs):
             rate[i], rate[j] = rate[i] - beta * w * sign, rate[j] + beta * w * sign
         y = [a + span * v for a, v in zip(x, rate)]
         for (i, j, _), sign in zip(edges, signs):
             ends = x[i] - x[j], y[i] - y[j]  # and in between the difference is between
             need(abs(sign) <= 1 and all(sign * d == abs(d) for d in ends), "no selection of the edge signs")
-        x, clock = y, clock + span
-    need(x == pick(x1, range(graph.n)) and clock == t.number(), "the run ends elsewhere")
+        yield (clock := clock + span), (x := y)
+def run(proof, graph, beta, gamma, x0, x1, t):
+    """An admissible disturbance drives the error from x0, whose sum is zero, to x1 in the time t."""
+    need(len(graph.parts) == 1, "a connected graph, no product, is due")
+    x0, x1, bound = (pick(values, range(graph.n)) for values in (x0, x1, gamma))
+    *_, end = points(proof, graph, beta, bound, x0)
+    need(sum(x0) == 0 and end == (t.number(), x1), "the run ends elsewhere, or its error has a mean")
+def agrees(proof, graph, beta, x0, t):
+    """Without disturbance x0, less its mean in each component, becomes zero at the time t and not before."""
+    need(graph.parts and beta.number() > 0, "no product, and a positive gain, are due")
+    x = pick(x0, range(graph.n))
+    means = [sum(x[i] for i in nodes) / len(nodes) for nodes, _ in graph.parts]
+    *before, (clock, last) = points(proof, graph, beta, [0] * graph.n, [a - means[k] for a, k in zip(x, graph.home)])
+    need(clock == t.number() and not any(last) and all(any(x) for _, x in before), "agreement is not at this time")
 
-PREDICATES = {"pd": Proof.positive, "dips": dips, "schur": schur, "unstable": unstable, "run": run,
+PREDICATES = {"pd": Proof.positive, "dips": dips, "schur": schur, "unstable": unstable, "run": run, "agrees": agrees,
               "cuts_clear": cuts_clear, "cut_reaches": cut_reaches, "cut_drifts": cut_drifts}
 def digest_of(statement):
     return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()

@@ -1,9 +1,13 @@
 """What some statements say, computed by another road: a forgery that is believed has to be true."""
 
+import math
 from fractions import Fraction
 from itertools import combinations
 
 import numpy as np
+
+from sensortrack.networks import Network
+from verification.exact.filippov import filippov_run
 
 SLACK = 1e-9
 
@@ -34,16 +38,20 @@ def links(graph):
     return [(i, j, Fraction(w)) for (i, j), w in zip(graph["edges"], weights, strict=True)]
 
 
+def cuts_of(graph, part, gamma):
+    """(nodes, k, N) of every cut of a component."""
+    for s in range(1, len(part)):
+        for inside in combinations(part, s):
+            k = sum(w for i, j, w in links(graph) if (i in inside) != (j in inside))
+            share = Fraction(s, len(part))
+            yield inside, k, sum(gamma[i] * ((1 - share) if i in inside else share) for i in part)
+
+
 def threshold(graph, gamma):
     """Largest N/k over all cuts of all components; None where there is no cut."""
     gamma, worst = spread_over(graph, gamma), []
     for part in {tuple(component(graph, i)) for i in range(len(graph["nodes"]))}:
-        for s in range(1, len(part)):
-            for inside in combinations(part, s):
-                k = sum(w for i, j, w in links(graph) if (i in inside) != (j in inside))
-                share = Fraction(s, len(part))
-                load = sum(gamma[i] * ((1 - share) if i in inside else share) for i in part)
-                worst.append(load / k)
+        worst += [load / k for _, k, load in cuts_of(graph, part, gamma)]
     return max(worst, default=None)
 
 
@@ -59,6 +67,34 @@ def gain(entry):
     worst = threshold(entry["inputs"]["graph"], entry["inputs"]["gamma"])
     kept = worst is None or Fraction(entry["inputs"]["beta"]) >= worst
     return kept == (entry["verdict"] == "PROVED")
+
+
+def disagreement_time(entry):
+    """The statement's data, run again."""
+    graph = entry["inputs"]["graph"]
+    weights = tuple(w for *_, w in links(graph))
+    network = Network(graph["nodes"], np.array(graph["edges"]).reshape(-1, 2), weights)
+    x0 = spread_over(graph, entry["inputs"]["x0"])
+    time = filippov_run(network, Fraction(entry["inputs"]["beta"]), x0).times[-1]
+    return ends(entry) == (time, time)
+
+
+def implicit_steps(entry):
+    """All cuts of all components, from the definitions."""
+    graph, inputs = entry["inputs"]["graph"], entry["inputs"]
+    gamma, x0 = (spread_over(graph, inputs[name]) for name in ("gamma", "x0"))
+    beta, h, squares = Fraction(inputs["beta"]), Fraction(inputs["h"]), [0.0]
+    for part in {tuple(component(graph, i)) for i in range(len(graph["nodes"]))}:
+        mean = sum(x0[i] for i in part) / len(part)
+        size = sum((x0[i] - mean) ** 2 for i in part)
+        for inside, k, load in cuts_of(graph, part, gamma):
+            rate = beta * k - load
+            p = Fraction(len(inside) * (len(part) - len(inside)), len(part))
+            if rate <= 0:
+                return entry["upper"] == "inf"
+            squares.append(size * p / rate**2)
+    steps = 0 if not max(squares) else math.isqrt(math.ceil(max(squares) / h**2) - 1) + 1
+    return entry["upper"] != "inf" and steps <= Fraction(entry["upper"]) < steps + 1
 
 
 def laplacian(graph):
@@ -96,6 +132,8 @@ def step_limit(entry):
 TRUTHS = {
     "gain_threshold": gain_threshold,
     "gain": gain,
+    "disagreement_time": disagreement_time,
+    "implicit_steps": implicit_steps,
     "algebraic_connectivity": algebraic_connectivity,
     "step": step,
     "step_limit": step_limit,

@@ -2,8 +2,9 @@
 
 from .lemma_statements import LEMMA_STATEMENTS
 from .model import SYSTEM
+from .run_statements import RUN_STATEMENTS
 from .statements import STATEMENTS as THEOREM_STATEMENTS
 
-STATEMENTS = (*THEOREM_STATEMENTS, *LEMMA_STATEMENTS)
+STATEMENTS = (*THEOREM_STATEMENTS, *RUN_STATEMENTS, *LEMMA_STATEMENTS)
 
 __all__ = ["STATEMENTS", "SYSTEM"]

@@ -11,6 +11,7 @@ from .rates import (
     printed_settling_time,
     settling_time,
 )
+from .runs import chattering_bound, disagreement_time, implicit_steps
 
 GRAPH = Input("graph", "graph", "communication network; edge weights scale the signs")
 GAMMA = Input(
@@ -18,6 +19,7 @@ GAMMA = Input(
 )
 BETA = Input("beta", "number", "gain, above 0", "c/s")
 X0 = Input("x0", "node numbers", "error at the start, one number a node", "c")
+H = Input("h", "number", "length of a step, above 0", "s")
 
 QUANTITIES = (
     Quantity(
@@ -55,6 +57,27 @@ QUANTITIES = (
         (GRAPH, GAMMA, BETA, X0),
         settling_time,
         True,
+    ),
+    Quantity(
+        "disagreement_time",
+        "exact time of agreement from x0 without disturbance, in Filippov's sense",
+        (GRAPH, BETA, X0),
+        disagreement_time,
+        True,
+    ),
+    Quantity(
+        "implicit_steps",
+        "implicit steps of length h to exact agreement: settling_time over h, rounded up",
+        (GRAPH, GAMMA, BETA, H, X0),
+        implicit_steps,
+        True,
+    ),
+    Quantity(
+        "chattering_bound",
+        "what |x| is at most in the long run under explicit steps of length h",
+        (GRAPH, GAMMA, BETA, H),
+        chattering_bound,
+        False,
     ),
 )
 

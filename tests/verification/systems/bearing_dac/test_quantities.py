@@ -48,6 +48,9 @@ def test_the_names_are_those_that_users_were_promised() -> None:
         "printed_threshold": False,
         "printed_settling_time": False,
         "settling_time": True,
+        "disagreement_time": True,
+        "implicit_steps": True,
+        "chattering_bound": False,
     }
     assert [condition.name for condition in CONDITIONS] == ["gain"]
 
