@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sensortrack.kernels.dual import ascend, gap
+from sensortrack.kernels.dual import Ascent
 from sensortrack.kernels.grouping import agreed_groups
 from sensortrack.kernels.links import Links
 
@@ -85,18 +85,16 @@ def proximal(
     As soon as the links that are not saturated make groups of one value each, and a flow through a
     spanning forest of the groups says that these are optimal, the point is exact.
     """
-    zero = np.zeros(links.m)
-    flow = zero if start is None else np.clip(start, -capacity, capacity)
-    done, batch = 0, 0
-    momentum, ahead = 1.0, flow
+    flow = np.zeros(links.m) if start is None else np.clip(start, -capacity, capacity)
+    ascent, done = Ascent(links, y, capacity, flow), 0
     while True:
-        grouped = agreed_groups(links, y, capacity, flow)
+        grouped = agreed_groups(links, y, capacity, ascent.flow)
         if grouped is not None:
             return Proximal(*grouped, True, 0.0, done)
-        x = y - links.incidence @ flow
-        error = float(np.sqrt(gap(links, x, capacity, flow)))
+        x, gap = ascent.point()
+        error = float(np.sqrt(gap))
         if error <= tolerance or done >= most:
-            return Proximal(x, flow, False, error, done)
+            return Proximal(x, ascent.flow.copy(), False, error, done)
         batch = min(max(FIRST_LOOK, done), most - done)
-        flow, ahead, momentum = ascend(links, y, capacity, flow, ahead, momentum, batch)
+        ascent.advance(batch)
         done += batch

@@ -1,26 +1,26 @@
-"""Accelerated ascent of the dual of a total-variation problem on a network."""
+"""Accelerated ascent of the dual of a total-variation problem on a network, in C or in NumPy.
+
+Steps of both roads agree bit by bit until a momentum is restarted, which the sign of a sum over all
+links decides; sums are taken in another order.
+"""
 
 from __future__ import annotations
+
+import ctypes
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .build import kernel
 from .links import Links
 
 Floats = NDArray[np.float64]
 ROUNDING = 2.0**-50
 
 
-def ascend(
-    links: Links,
-    y: Floats,
-    capacity: Floats,
-    flow: Floats,
-    ahead: Floats,
-    momentum: float,
-    count: int,
-) -> tuple[Floats, Floats, float]:
-    """Take dual steps: f = clip(z + pace B'(y - B z)), z = f + momentum (f - former f).
+class Ascent:
+    """Dual steps f+ = clip(z + pace B'(y - B z)) with z = f + factor (f - former f).
 
     Parameters
     ----------
@@ -29,47 +29,91 @@ def ascend(
         By place.
     capacity : ndarray of float64, shape (m,)
         Bound of each flow.
-    flow, ahead : ndarray of float64, shape (m,)
-        f and the extrapolated z; the same at the start.
-    momentum : float
-        Number from which the extrapolation follows; 1 at the start.
-    count : int
-        Steps.
-
-    Returns
-    -------
-    flow, ahead, momentum
-        As given, after the steps.
+    flow : ndarray of float64, shape (m,)
+        A feasible flow to start from.
 
     References
     ----------
     A. Beck, M. Teboulle (2009), FISTA; B. O'Donoghue, E. Candes (2015), restart where the step
     turns against the momentum.
     """
-    first, second = links.ends[:, 0], links.ends[:, 1]
-    for _ in range(count):
-        x = y - links.incidence @ ahead
-        found = np.clip(ahead + links.pace * (x[first] - x[second]), -capacity, capacity)
-        moved = found - flow
-        if np.dot((ahead - found) / links.pace, moved) > 0:
-            momentum, ahead = 1.0, found
+
+    def __init__(self, links: Links, y: Floats, capacity: Floats, flow: Floats) -> None:
+        self.links, self.y, self.capacity = links, y, capacity
+        self._both = np.stack([flow, flow])
+        self._speed = np.array([1.0, 0.0])
+        self._x = np.empty(links.n)
+        self._library = kernel("dual", native=True).library
+
+    @property
+    def flow(self) -> Floats:
+        """The feasible flow reached, shape (m,)."""
+        return self._both[0]
+
+    def advance(self, count: int) -> None:
+        """Take some steps."""
+        if self._library is None:
+            self._in_numpy(count)
+            return
+        arrays = (self.links.below, self._second, self.y, self.capacity, self.links.pace)
+        addresses = [array.ctypes.data for array in (*arrays, self._both, self._x, self._speed)]
+        _prepared(self._library, "ascend")(self.links.n, *addresses, count)
+
+    def point(self) -> tuple[Floats, float]:
+        """x = y - B f and the duality gap there, the sum of c |d| - f d with d = B'x.
+
+        Returns
+        -------
+        x : ndarray of float64, shape (n,)
+        gap : float
+            Not below the gap in exact arithmetic: what rounding may have hidden is added.
+        """
+        x = np.empty(self.links.n)
+        if self._library is None:
+            x = self.y - self.links.incidence @ self.flow
+            fall = self._fall(x)
+            most = self.capacity * np.abs(fall)
+            size, lost = float(most.sum()), float((most - self.flow * fall).sum())
         else:
+            total = ctypes.c_double()
+            arrays = (self.links.below, self._second, self.y, self.capacity, self.flow, x)
+            addresses = [array.ctypes.data for array in arrays]
+            call = _prepared(self._library, "gap")
+            lost = call(self.links.n, *addresses, ctypes.byref(total))
+            size = total.value
+        scale = float(np.max(np.abs(x), initial=0.0)) * float(self.capacity.sum())
+        return x, max(lost, 0.0) + ROUNDING * (size + scale)
+
+    @property
+    def _second(self) -> NDArray[np.int32]:
+        return self.links.second
+
+    def _fall(self, x: Floats) -> Floats:
+        found: Floats = x[self.links.ends[:, 0]] - x[self.links.second]
+        return found
+
+    def _in_numpy(self, count: int) -> None:
+        for _ in range(count):
+            flow, former = self._both
+            ahead = flow + self._speed[1] * (flow - former)
+            fall = self._fall(self.y - self.links.incidence @ ahead)
+            found = np.clip(ahead + self.links.pace * fall, -self.capacity, self.capacity)
+            turn = np.dot(fall, found - flow)
+            self._both = np.stack([found, flow])
+            momentum = self._speed[0]
             later = (1 + np.sqrt(1 + 4 * momentum * momentum)) / 2
-            ahead = found + (momentum - 1) / later * moved
-            momentum = float(later)
-        flow = found
-    return flow, ahead, momentum
+            speed = [1.0, 0.0] if turn < 0 else [later, (momentum - 1) / later]
+            self._speed = np.array(speed)
 
 
-def gap(links: Links, x: Floats, capacity: Floats, flow: Floats) -> float:
-    """Duality gap of x = y - B f: sum of c |d| - f d over the links, d = B'x.
-
-    Returns
-    -------
-    float
-        Not below the gap in exact arithmetic: rounding of x and of the sum is added.
-    """
-    d = x[links.ends[:, 0]] - x[links.ends[:, 1]]
-    size = float(np.dot(capacity, np.abs(d)))
-    scale = float(np.max(np.abs(x), initial=0.0)) * float(capacity.sum())
-    return max(size - float(np.dot(flow, d)), 0.0) + ROUNDING * (size + scale)
+@cache
+def _prepared(library: ctypes.CDLL, name: str) -> ctypes._NamedFuncPointer:
+    function: ctypes._NamedFuncPointer = getattr(library, f"sensortrack_{name}")
+    address, number = ctypes.c_void_p, ctypes.c_int32
+    if name == "ascend":
+        function.argtypes = [number] + [address] * 8 + [number]
+        function.restype = None
+    else:
+        function.argtypes = [number] + [address] * 7
+        function.restype = ctypes.c_double
+    return function

@@ -1,12 +1,18 @@
-"""Round a nearly optimal flow to groups of equal value, and prove them optimal."""
+"""Round a nearly optimal flow to groups of equal value, and prove them optimal.
+
+In C or in NumPy with the same bits.
+"""
 
 from __future__ import annotations
+
+import ctypes
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import csgraph
 
+from .build import kernel
 from .links import Forest, Links, rooted
 
 Floats = NDArray[np.float64]
@@ -37,7 +43,42 @@ def agreed_groups(
     -----
     Places joined by unsaturated links are a group. What its saturated links leave it, shared
     equally, is its value; what is then missing inside the group is sent along a spanning tree.
+    Rounding means 16 sqrt(n) units in the last place of the largest |y - x| plus the largest
+    capacity.
     """
+    slack = 16 * ULP * float(np.sqrt(links.n))
+    library = kernel("grouping", native=True).library
+    if library is None:
+        return _in_numpy(links, y, capacity, flow, slack)
+    x, sent = np.empty(links.n), np.empty(links.m)
+    floats, numbers = np.empty((3, links.n)), np.empty((5, links.n), dtype=np.int32)
+    given = (links.below, links.second, links.first, links.index, links.link, y, capacity, flow)
+    task = _Groups(
+        links.n, *map(_address, given), slack, *map(_address, (x, sent, *floats, *numbers))
+    )
+    return (x, sent) if library.sensortrack_agreed_groups(ctypes.byref(task)) else None
+
+
+class _Groups(ctypes.Structure):
+    """``struct groups`` of grouping.c."""
+
+    _fields_ = (
+        ("n", ctypes.c_int32),
+        *((name, ctypes.c_void_p) for name in ("below", "second", "first", "index", "link")),
+        *((name, ctypes.c_void_p) for name in ("y", "capacity", "flow")),
+        ("slack", ctypes.c_double),
+        *((name, ctypes.c_void_p) for name in ("x", "sent", "rest", "mean", "more")),
+        *((name, ctypes.c_void_p) for name in ("size", "group", "order", "up", "over")),
+    )
+
+
+def _address(array: NDArray[np.generic]) -> int:
+    return array.ctypes.data
+
+
+def _in_numpy(
+    links: Links, y: Floats, capacity: Floats, flow: Floats, unit: float
+) -> tuple[Floats, Floats] | None:
     free = np.abs(flow) < capacity
     inside = _groups(links, free)
     between = inside[links.ends[:, 0]] != inside[links.ends[:, 1]]
@@ -45,17 +86,12 @@ def agreed_groups(
     missing = y - x - links.incidence @ flow
     forest = rooted(links.n, links.ends[free], np.flatnonzero(free).astype(np.int32))
     sent = flow + _routed(links, forest, missing)
-    slack = rounding(links, y - x, capacity)
-    drop = np.where(between, np.sign(flow) * (x[links.ends[:, 0]] - x[links.ends[:, 1]]), 0.0)
-    if (np.abs(sent) > capacity + slack).any() or (drop < -slack).any():
+    slack = unit * (float(np.max(np.abs(y - x))) + float(np.max(capacity, initial=0.0)))
+    fall = x[links.ends[:, 0]] - x[links.ends[:, 1]]
+    uphill = (flow * fall < 0) & (np.abs(fall) > slack)
+    if (np.abs(sent) > capacity + slack).any() or uphill.any():
         return None
     return x, np.clip(sent, -capacity, capacity)
-
-
-def rounding(links: Links, moved: Floats, capacity: Floats) -> float:
-    """What sums over the network may be off by: 16 sqrt(n) units in the last place."""
-    largest = float(np.max(np.abs(moved))) + float(np.max(capacity, initial=0.0))
-    return 16 * ULP * float(np.sqrt(links.n)) * largest
 
 
 def _groups(links: Links, free: NDArray[np.bool_]) -> NDArray[np.int32]:

@@ -83,6 +83,17 @@ class Links:
         return np.repeat(np.arange(self.n, dtype=np.int32), counts)
 
     @cached_property
+    def below(self) -> Int32s:
+        """The links with place i as first end are those from ``below[i]`` to ``below[i + 1] - 1``."""
+        found = np.searchsorted(self.ends[:, 0], np.arange(self.n + 1, dtype=np.int32))
+        return found.astype(np.int32)
+
+    @cached_property
+    def second(self) -> Int32s:
+        """The second end of each link, side by side."""
+        return np.ascontiguousarray(self.ends[:, 1])
+
+    @cached_property
     def slices(self) -> tuple[Int32s, Int32s]:
         """Neighbour lists of eight places side by side, filled up with the place itself."""
         count = -(-self.n // LANES)
