@@ -17,11 +17,17 @@ from numpy.typing import NDArray
 
 from sensortrack.kernels.dual import Ascent
 from sensortrack.kernels.grouping import agreed_groups
-from sensortrack.kernels.links import Links
+from sensortrack.kernels.links import Forest, Links
+from sensortrack.kernels.split import split
+from sensortrack.kernels.tree import tree_flow
 
 Floats = NDArray[np.float64]
 FIRST_LOOK = 8
 """Dual steps after which groups are looked for; then after twice as many, and so on."""
+PATIENCE = 256
+"""Dual steps after which a small network is divided by maximum flows instead."""
+SPLIT_PLACES = 1000
+"""The largest network to which that is done."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,15 +88,23 @@ def proximal(
     With d = B'x and x = y - B f the duality gap is sum (c |d| - f d). Each of the two objectives
     is off by half of |x - prox|^2 at least, hence |x - prox|^2 <= gap.
 
-    As soon as the links that are not saturated make groups of one value each, and a flow through a
-    spanning forest of the groups says that these are optimal, the point is exact.
+    On a forest a dynamic program finds the groups. Elsewhere, as soon as the links that are not
+    saturated make groups of one value each, and a flow through a spanning forest of the groups says
+    that these are optimal, the point is exact.
     """
-    flow = np.zeros(links.m) if start is None else np.clip(start, -capacity, capacity)
+    if links.forest is not None:
+        flow = _over_forest(links, links.forest, y, capacity)
+    elif start is None:
+        flow = np.zeros(links.m)
+    else:
+        flow = np.clip(start, -capacity, capacity)
     ascent, done = Ascent(links, y, capacity, flow), 0
     while True:
         grouped = agreed_groups(links, y, capacity, ascent.flow)
         if grouped is not None:
             return Proximal(*grouped, True, 0.0, done)
+        if done >= PATIENCE and links.n <= SPLIT_PLACES:
+            return Proximal(*split(links, y, capacity), True, 0.0, done)
         x, gap = ascent.point()
         error = float(np.sqrt(gap))
         if error <= tolerance or done >= most:
@@ -98,3 +112,14 @@ def proximal(
         batch = min(max(FIRST_LOOK, done), most - done)
         ascent.advance(batch)
         done += batch
+
+
+def _over_forest(links: Links, forest: Forest, y: Floats, capacity: Floats) -> Floats:
+    """Optimal flow of each link, by the dynamic program."""
+    below = forest.below
+    link = forest.link[below]
+    most = np.zeros(links.n)
+    most[below] = capacity[link]
+    flow = np.empty(links.m)
+    flow[link] = forest.toward * tree_flow(forest, y[forest.order], most)[below]
+    return flow

@@ -48,16 +48,18 @@ class Ascent:
     @property
     def flow(self) -> Floats:
         """The feasible flow reached, shape (m,)."""
-        return self._both[0]
+        found: Floats = self._both[0]
+        return found
 
     def advance(self, count: int) -> None:
         """Take some steps."""
         if self._library is None:
             self._in_numpy(count)
             return
-        arrays = (self.links.below, self._second, self.y, self.capacity, self.links.pace)
+        links = self.links
+        arrays = (links.below, links.second, self.y, self.capacity, links.pace)
         addresses = [array.ctypes.data for array in (*arrays, self._both, self._x, self._speed)]
-        _prepared(self._library, "ascend")(self.links.n, *addresses, count)
+        _prepared(self._library, "ascend")(links.n, *addresses, count)
 
     def point(self) -> tuple[Floats, float]:
         """x = y - B f and the duality gap there, the sum of c |d| - f d with d = B'x.
@@ -76,17 +78,13 @@ class Ascent:
             size, lost = float(most.sum()), float((most - self.flow * fall).sum())
         else:
             total = ctypes.c_double()
-            arrays = (self.links.below, self._second, self.y, self.capacity, self.flow, x)
+            arrays = (self.links.below, self.links.second, self.y, self.capacity, self.flow, x)
             addresses = [array.ctypes.data for array in arrays]
             call = _prepared(self._library, "gap")
             lost = call(self.links.n, *addresses, ctypes.byref(total))
             size = total.value
         scale = float(np.max(np.abs(x), initial=0.0)) * float(self.capacity.sum())
         return x, max(lost, 0.0) + ROUNDING * (size + scale)
-
-    @property
-    def _second(self) -> NDArray[np.int32]:
-        return self.links.second
 
     def _fall(self, x: Floats) -> Floats:
         found: Floats = x[self.links.ends[:, 0]] - x[self.links.second]

@@ -54,7 +54,10 @@ def agreed_groups(
     floats, numbers = np.empty((3, links.n)), np.empty((5, links.n), dtype=np.int32)
     given = (links.below, links.second, links.first, links.index, links.link, y, capacity, flow)
     task = _Groups(
-        links.n, *map(_address, given), slack, *map(_address, (x, sent, *floats, *numbers))
+        links.n,
+        *(array.ctypes.data for array in given),
+        slack,
+        *(array.ctypes.data for array in (x, sent, *floats, *numbers)),
     )
     return (x, sent) if library.sensortrack_agreed_groups(ctypes.byref(task)) else None
 
@@ -70,10 +73,6 @@ class _Groups(ctypes.Structure):
         *((name, ctypes.c_void_p) for name in ("x", "sent", "rest", "mean", "more")),
         *((name, ctypes.c_void_p) for name in ("size", "group", "order", "up", "over")),
     )
-
-
-def _address(array: NDArray[np.generic]) -> int:
-    return array.ctypes.data
 
 
 def _in_numpy(

@@ -84,7 +84,7 @@ class Links:
 
     @cached_property
     def below(self) -> Int32s:
-        """The links with place i as first end are those from ``below[i]`` to ``below[i + 1] - 1``."""
+        """The links whose first end is place i: from ``below[i]`` to ``below[i + 1] - 1``."""
         found = np.searchsorted(self.ends[:, 0], np.arange(self.n + 1, dtype=np.int32))
         return found.astype(np.int32)
 
@@ -111,7 +111,7 @@ class Links:
     @cached_property
     def forest(self) -> Forest | None:
         """The links as a rooted forest, or None where they close a cycle."""
-        found = rooted(self.n, self.ends, np.arange(self.m, dtype=np.int32))
+        found = rooted(self.n, self.ends, np.arange(self.m, dtype=np.int32), deep=True)
         return found if np.count_nonzero(found.up < 0) == self.n - self.m else None
 
     @cached_property
@@ -173,6 +173,17 @@ class Forest:
     up: Int32s
     link: Int32s
 
+    @cached_property
+    def below(self) -> NDArray[np.bool_]:
+        """Whether each moment's place has a parent."""
+        return self.link >= 0
+
+    @cached_property
+    def toward(self) -> Floats:
+        """1 where the place is the first end of the link to its parent, else -1; roots left out."""
+        order = self.order[self.below]
+        return np.where(order < self.order[self.up[self.below]], 1.0, -1.0)
+
 
 @lru_cache(maxsize=16)
 def links_of(network: Network) -> Links:
@@ -220,8 +231,8 @@ def _close_together(n: int, ends: Int32s) -> Int32s:
     return csgraph.reverse_cuthill_mckee(lists, symmetric_mode=True).astype(np.int32)
 
 
-def rooted(n: int, ends: Int32s, link: Int32s) -> Forest:
-    """Spanning forest of some links, breadth first from the lowest place of each component.
+def rooted(n: int, ends: Int32s, link: Int32s, deep: bool = False) -> Forest:
+    """Spanning forest of some links, from the lowest place of each component.
 
     Parameters
     ----------
@@ -231,6 +242,9 @@ def rooted(n: int, ends: Int32s, link: Int32s) -> Forest:
         In lexicographic order.
     link : ndarray of int32, shape (some,)
         What the forest calls them.
+    deep : bool, optional
+        Visit depth first, so that what lies below a place follows it at once, instead of breadth
+        first.
     """
     lists = _matrix(n, ends, np.ones(len(ends), dtype=np.int32))
     count, marks = csgraph.connected_components(lists, directed=False)
@@ -238,7 +252,8 @@ def rooted(n: int, ends: Int32s, link: Int32s) -> Forest:
     # one more place, linked with every root, makes one component of all
     above = np.stack([roots, np.full(count, n, dtype=np.int32)], axis=1)
     joined = _matrix(n + 1, np.concatenate([ends, above]), np.ones(len(ends) + count, np.int32))
-    visited, parent = csgraph.breadth_first_order(joined, n, directed=False)
+    visit = csgraph.depth_first_order if deep else csgraph.breadth_first_order
+    visited, parent = visit(joined, n, directed=False)
     order = visited[1:].astype(np.int32)
     moment = np.full(n + 1, -1, dtype=np.int32)
     moment[order] = np.arange(n, dtype=np.int32)
