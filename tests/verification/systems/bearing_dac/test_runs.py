@@ -8,10 +8,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sensortrack.consensus import chatter_bound
 from sensortrack.errors import InputError
+from sensortrack.kernels.links import links_of
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
 from verification.exact import cut_roads, filippov
+from verification.exact.cuts import slowest, threshold
 from verification.exact.prox import centred, explicit_step, implicit_step
 from verification.systems.bearing_dac import runs
 from verification.systems.bearing_dac.rates import settling_time
@@ -179,6 +182,20 @@ def test_the_chattering_bound_under_disturbances():
     assert answer.verdict == "SUPPORTED"
     larger = ask("chattering_bound", two_pieces(), gamma=0, beta=2, h="1/10")
     assert "largest bound" in larger.notes[0]
+
+
+@given(connected_networks(2, 6, weighted=True), st.data())
+@FEW
+def test_the_estimator_knows_the_same_chattering_bound(network, data):
+    gamma, h = data.draw(rationals(0, 2, 3)), Fraction(1, 7)
+    bounds = (gamma,) * network.n
+    beta = threshold(network, bounds).value + data.draw(rationals(Fraction(1, 5), 3, 5))
+    given = {"graph": network, "gamma": bounds, "beta": beta, "h": h}
+    start = [Fraction(1), *[Fraction(0)] * (network.n - 1)]
+    rate = math.sqrt(square(centred(network, start)) / slowest(network, bounds, beta, start).value)
+    numbers = np.array([float(beta)]), float(h), float(gamma), rate
+    own = runs.chattering_bound(given).value
+    assert own == pytest.approx(chatter_bound(links_of(network), *numbers)[0], rel=1e-12)
 
 
 @pytest.mark.parametrize(
