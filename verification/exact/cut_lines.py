@@ -52,7 +52,8 @@ def worst_along(graph: CutGraph, scales: Scales, line: Floats) -> Flags:
 def lines_of(graph: CutGraph) -> Iterator[Floats]:
     """Slow modes and mixtures of the slowest ones."""
     kinds = [graph.conductance]
-    if not np.array_equal(graph.conductance * graph.weight.max(), graph.weight):
+    plain = graph.weight * (graph.conductance.sum() / graph.weight.sum())
+    if not np.allclose(graph.conductance, plain):
         kinds.append(graph.weight)
     for links in kinds:
         modes = slow_modes(graph, links)

@@ -1,4 +1,4 @@
-"""Good cuts by sweeps along slow modes and local moves: candidates, measured exactly in the end."""
+"""Good cuts of small networks by sweeps along slow modes and local moves: candidates, measured exactly in the end."""
 
 from __future__ import annotations
 
@@ -12,12 +12,6 @@ from .cut_problem import Aim, Hurdle, Problem
 
 MODES = 4
 PASSES = 12
-MOVED_NODES = 3000
-"""Above this size cuts are swept but not improved node by node."""
-
-SWEPT_NODES = 20_000
-"""Above this size only the cuts of one node are tried."""
-
 CONGESTION = 8
 """Power of the relative load that makes the length of an edge."""
 
@@ -163,8 +157,7 @@ def _best(task: Problem, hurdle: Hurdle, scale: Scale, cuts: list[Flags]) -> Cut
 
     distinct = {flags.tobytes(): flags for flags in cuts}.values()
     chosen = sorted(distinct, key=lambda flags: rank(_nodes(flags)))[-IMPROVED:]
-    if task.n <= MOVED_NODES:
-        chosen += [scale.improve(flags) for flags in chosen]
+    chosen += [scale.improve(flags) for flags in chosen]
     return max({_nodes(flags) for flags in chosen}, key=rank)
 
 
@@ -188,8 +181,6 @@ def _starts(task: Problem, scale: Scale) -> Iterator[Flags]:
     single = np.zeros(task.n, dtype=bool)
     single[int(np.argmax(singles))] = True
     yield single
-    if task.n > SWEPT_NODES:
-        return
     modes = laplacian_modes(task, MODES).slow
     for mode in modes.T:
         yield scale.sweep(mode)

@@ -15,10 +15,14 @@ from .cut_local import congested_cut, good_cut
 from .cut_orders import orders
 from .cut_problem import Aim, Hurdle, Problem
 from .cut_search import LARGEST, Found, Walk
+from .large_cuts import large_cut
 from .routing import Routing, better_routing, closes, first_routing
 
 Part = dict[str, Any]
 Cut = tuple[int, ...]
+
+SMALL = 250
+"""Up to this size every node of a good cut is moved in turn, instead of bands of nodes."""
 
 LIMITS = (50_000, 2_000_000)
 """Visits of a search before other roads are tried, and after."""
@@ -110,7 +114,8 @@ def solve(task: Problem, start: Hurdle, aim: Aim, budget: Budget) -> Solved:
         part = {"kind": "enumeration", "order": list(range(task.n))}
         shown = Shown(start, part, 2) if task.n <= LARGEST else None
         return Solved((0,), start, shown, True)
-    solved = _with(task, start, aim, Solved((), start), good_cut(task, start, aim))
+    look = good_cut if task.n <= SMALL else large_cut
+    solved = _with(task, start, aim, Solved((), start), look(task, start, aim))
     if solved.hurdle is None:
         return solved
     for limit, count in zip(LIMITS, (None, LATE_ORDERS), strict=True):
