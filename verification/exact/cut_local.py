@@ -1,4 +1,4 @@
-"""Good cuts of small networks by sweeps and local moves: candidates, measured exactly in the end."""
+"""Good cuts of small networks by sweeps and local moves: candidates, in the end measured."""
 
 from __future__ import annotations
 
