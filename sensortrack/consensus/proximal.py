@@ -24,10 +24,10 @@ from sensortrack.kernels.tree import tree_flow
 Floats = NDArray[np.float64]
 FIRST_LOOK = 8
 """Dual steps after which groups are looked for; then after twice as many, and so on."""
-PATIENCE = 256
-"""Dual steps after which a small network is divided by maximum flows instead."""
-SPLIT_PLACES = 1000
-"""The largest network to which that is done."""
+SMALL = 200
+"""Networks of up to so many places are divided by maximum flows at once."""
+MEDIUM, PATIENCE = 1000, 256
+"""Networks of up to so many places are divided after so many dual steps without groups."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,20 +98,32 @@ def proximal(
         flow = np.zeros(links.m)
     else:
         flow = np.clip(start, -capacity, capacity)
-    ascent, done = Ascent(links, y, capacity, flow), 0
+    grouped = agreed_groups(links, y, capacity, flow)
+    if grouped is not None:
+        return Proximal(*grouped, True, 0.0, 0)
+    if links.n <= SMALL:
+        return Proximal(*split(links, y, capacity), True, 0.0, 0)
+    return _ascended(Ascent(links, y, capacity, flow), tolerance, most)
+
+
+def _ascended(ascent: Ascent, tolerance: float, most: int) -> Proximal:
+    """Take dual steps until groups are found or the point is close enough."""
+    links, done = ascent.links, 0
+    given = links, ascent.y, ascent.capacity
+    patience = min(PATIENCE, most) if links.n <= MEDIUM else most + 1
     while True:
-        grouped = agreed_groups(links, y, capacity, ascent.flow)
+        batch = min(max(FIRST_LOOK, done), most - done)
+        ascent.advance(batch)
+        done += batch
+        grouped = agreed_groups(*given, ascent.flow)
         if grouped is not None:
             return Proximal(*grouped, True, 0.0, done)
-        if done >= PATIENCE and links.n <= SPLIT_PLACES:
-            return Proximal(*split(links, y, capacity), True, 0.0, done)
+        if done >= patience:
+            return Proximal(*split(*given), True, 0.0, done)
         x, gap = ascent.point()
         error = float(np.sqrt(gap))
         if error <= tolerance or done >= most:
             return Proximal(x, ascent.flow.copy(), False, error, done)
-        batch = min(max(FIRST_LOOK, done), most - done)
-        ascent.advance(batch)
-        done += batch
 
 
 def _over_forest(links: Links, forest: Forest, y: Floats, capacity: Floats) -> Floats:

@@ -64,12 +64,8 @@ def kernel(name: str, folder: Path = Path(__file__).parent, native: bool = False
     """
     if os.environ.get("SENSORTRACK_NO_COMPILER") == "1":
         return Kernel(name, None, "SENSORTRACK_NO_COMPILER is 1")
-    flags = NATIVE if native and _processor() else ()
-    source, compiler = folder / f"{name}.c", os.environ.get("CC", "cc")
-    found = _kernel(source, compiler, str(cache_folder()), flags)
-    if flags and found.library is None:
-        return _kernel(source, compiler, str(cache_folder()), ())
-    return found
+    settings = os.environ.get("CC", "cc"), os.environ.get("XDG_CACHE_HOME", "")
+    return _kernel(name, folder, native, *settings)
 
 
 def cache_folder() -> Path:
@@ -90,10 +86,20 @@ def _processor() -> str:
 
 
 @cache
-def _kernel(source: Path, compiler: str, folder: str, more: tuple[str, ...]) -> Kernel:
+def _kernel(name: str, folder: Path, native: bool, compiler: str, _cache_home: str) -> Kernel:
+    """Kept for each setting, since callers ask before every call into C."""
+    source = folder / f"{name}.c"
+    if native and _processor():
+        found = _loaded(source, compiler, NATIVE)
+        if found.library is not None:
+            return found
+    return _loaded(source, compiler, ())
+
+
+def _loaded(source: Path, compiler: str, more: tuple[str, ...]) -> Kernel:
     name = source.stem
     try:
-        built = _built(source, shlex.split(compiler), Path(folder), more)
+        built = _built(source, shlex.split(compiler), cache_folder(), more)
         return Kernel(name, ctypes.CDLL(str(built)))
     except (OSError, ValueError, subprocess.SubprocessError) as error:
         detail = error.stderr if isinstance(error, subprocess.CalledProcessError) else ""
