@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from sensortrack.kernels.build import kernel
 from sensortrack.kernels.dual import Ascent
 from sensortrack.kernels.grouping import agreed_groups
 from sensortrack.kernels.links import Forest, Links
@@ -26,8 +27,9 @@ FIRST_LOOK = 8
 """Dual steps after which groups are looked for; then after twice as many, and so on."""
 SMALL = 200
 """Networks of up to so many places are divided by maximum flows at once."""
-MEDIUM, PATIENCE = 1000, 256
-"""Networks of up to so many places are divided after so many dual steps without groups."""
+MEDIUM, PATIENCE = 4000, 256
+"""Networks of up to so many places are divided after so many dual steps without groups: in C, for
+in Python that would take minutes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +104,7 @@ def proximal(
     if grouped is not None:
         return Proximal(*grouped, True, 0.0, 0)
     if links.n <= SMALL:
-        return Proximal(*split(links, y, capacity), True, 0.0, 0)
+        return _divided(links, y, capacity, 0)
     return _ascended(Ascent(links, y, capacity, flow), tolerance, most)
 
 
@@ -110,7 +112,8 @@ def _ascended(ascent: Ascent, tolerance: float, most: int) -> Proximal:
     """Take dual steps until groups are found or the point is close enough."""
     links, done = ascent.links, 0
     given = links, ascent.y, ascent.capacity
-    patience = min(PATIENCE, most) if links.n <= MEDIUM else most + 1
+    divisible = links.n <= MEDIUM and kernel("split", native=True).library is not None
+    patience = min(PATIENCE, most) if divisible else most + 1
     while True:
         batch = min(max(FIRST_LOOK, done), most - done)
         ascent.advance(batch)
@@ -119,11 +122,18 @@ def _ascended(ascent: Ascent, tolerance: float, most: int) -> Proximal:
         if grouped is not None:
             return Proximal(*grouped, True, 0.0, done)
         if done >= patience:
-            return Proximal(*split(*given), True, 0.0, done)
+            return _divided(*given, done)
         x, gap = ascent.point()
         error = float(np.sqrt(gap))
         if error <= tolerance or done >= most:
             return Proximal(x, ascent.flow.copy(), False, error, done)
+
+
+def _divided(links: Links, y: Floats, capacity: Floats, done: int) -> Proximal:
+    """The point by maximum flows; groups that differ by rounding only are made one."""
+    x, flow = split(links, y, capacity)
+    grouped = agreed_groups(links, y, capacity, flow)
+    return Proximal(*((x, flow) if grouped is None else grouped), True, 0.0, done)
 
 
 def _over_forest(links: Links, forest: Forest, y: Floats, capacity: Floats) -> Floats:

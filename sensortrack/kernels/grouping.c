@@ -1,8 +1,9 @@
 /* Round a nearly optimal flow of a total-variation problem to groups of equal value.
  *
  * Places joined by links that are not saturated are a group; its value is what the saturated links
- * leave it, shared equally. What is then missing inside is sent along a spanning tree of the group.
- * The result is optimal if the flow stays within the capacities and runs downhill between groups.
+ * leave it, shared equally. Linked groups whose values differ by rounding only are made one. What is
+ * then missing inside a group is sent along a spanning tree. The result is optimal if the flow stays
+ * within the capacities and runs downhill between groups.
  */
 #include <math.h>
 #include <stdint.h>
@@ -17,7 +18,7 @@ struct groups {
     const double *y;
     const double *capacity;
     const double *flow;
-    double slack;          /* rounding for each unit of |y - x| + c */
+    double slack;          /* what passes for rounding */
     double *x;             /* n, result */
     double *sent;          /* m, result */
     double *rest;          /* n */
@@ -28,14 +29,10 @@ struct groups {
     int32_t *order;        /* n, the visit */
     int32_t *up;           /* n, parent of a place or -1 */
     int32_t *over;         /* n, link to the parent */
+    uint8_t *inner;        /* m, whether the link joins its ends to a group */
 };
 
-static int is_free(const struct groups *t, int32_t e)
-{
-    return fabs(t->flow[e]) < t->capacity[e];
-}
-
-/* Breadth first over the unsaturated links, from the lowest place of each group. */
+/* Breadth first over the inner links, from the lowest place of each group. */
 static int32_t visit(struct groups *t)
 {
     int32_t i, k, done = 0, last = 0, count = 0;
@@ -52,7 +49,7 @@ static int32_t visit(struct groups *t)
             const int32_t at = t->order[done++];
             for (k = t->first[at]; k < t->first[at + 1]; k++) {
                 const int32_t next = t->index[k], e = t->link[k];
-                if (t->group[next] >= 0 || !is_free(t, e))
+                if (t->group[next] >= 0 || !t->inner[e])
                     continue;
                 t->group[next] = count;
                 t->up[next] = at;
@@ -132,31 +129,39 @@ static void send(struct groups *t)
     }
 }
 
+/* Make links inner whose ends differ by no more than rounding; how many were not. */
+static int32_t join_equal(struct groups *t)
+{
+    int32_t i, e, found = 0;
+    for (i = 0; i < t->n; i++)
+        for (e = t->below[i]; e < t->below[i + 1]; e++)
+            if (t->group[i] != t->group[t->second[e]] && t->capacity[e] > 0 &&
+                fabs(t->x[i] - t->x[t->second[e]]) <= t->slack) {
+                t->inner[e] = 1;
+                found++;
+            }
+    return found;
+}
+
 /* 1 if x is optimal up to rounding and `sent` proves it, else 0. */
 int sensortrack_agreed_groups(struct groups *t)
 {
     const int32_t m = t->below[t->n];
-    double moved = 0, widest = 0, slack;
-    int32_t i, e;
-    const int32_t count = visit(t);
+    int32_t i, e, count;
 
-    leave_between(t);
-    set_values(t, count);
-    for (i = 0; i < t->n; i++)
-        if (fabs(t->y[i] - t->x[i]) > moved)
-            moved = fabs(t->y[i] - t->x[i]);
     for (e = 0; e < m; e++)
-        if (t->capacity[e] > widest)
-            widest = t->capacity[e];
-    slack = t->slack * (moved + widest);
+        t->inner[e] = fabs(t->flow[e]) < t->capacity[e];
+    do {
+        count = visit(t);
+        leave_between(t);
+        set_values(t, count);
+    } while (join_equal(t));
     leave_missing(t);
     send(t);
     for (i = 0; i < t->n; i++)
         for (e = t->below[i]; e < t->below[i + 1]; e++) {
             const double c = t->capacity[e], fall = t->x[i] - t->x[t->second[e]];
-            if (fabs(t->sent[e]) > c + slack)
-                return 0;
-            if (t->flow[e] * fall < 0 && fabs(fall) > slack)
+            if (fabs(t->sent[e]) > c + t->slack || t->flow[e] * fall < -t->slack * c)
                 return 0;
             t->sent[e] = t->sent[e] > c ? c : t->sent[e] < -c ? -c : t->sent[e];
         }

@@ -42,22 +42,24 @@ def agreed_groups(
     Notes
     -----
     Places joined by unsaturated links are a group. What its saturated links leave it, shared
-    equally, is its value; what is then missing inside the group is sent along a spanning tree.
-    Rounding means 16 sqrt(n) units in the last place of the largest |y - x| plus the largest
-    capacity.
+    equally, is its value; linked groups whose values differ by rounding only are made one. What is
+    then missing inside a group is sent along a spanning tree. Rounding means 4 sqrt(n) units in the
+    last place of the largest |y| plus the largest capacity.
     """
-    slack = 16 * ULP * float(np.sqrt(links.n))
+    largest = float(np.max(np.abs(y))) + float(np.max(capacity, initial=0.0))
+    slack = 4 * ULP * float(np.sqrt(links.n)) * largest
     library = kernel("grouping", native=True).library
     if library is None:
         return _in_numpy(links, y, capacity, flow, slack)
-    x, sent = np.empty(links.n), np.empty(links.m)
+    x, sent, inner = np.empty(links.n), np.empty(links.m), np.empty(links.m, dtype=np.uint8)
     floats, numbers = np.empty((3, links.n)), np.empty((5, links.n), dtype=np.int32)
     given = (links.below, links.second, links.first, links.index, links.link, y, capacity, flow)
+    made = (x, sent, *floats, *numbers, inner)
     task = _Groups(
         links.n,
         *(array.ctypes.data for array in given),
         slack,
-        *(array.ctypes.data for array in (x, sent, *floats, *numbers)),
+        *(array.ctypes.data for array in made),
     )
     return (x, sent) if library.sensortrack_agreed_groups(ctypes.byref(task)) else None
 
@@ -71,31 +73,35 @@ class _Groups(ctypes.Structure):
         *((name, ctypes.c_void_p) for name in ("y", "capacity", "flow")),
         ("slack", ctypes.c_double),
         *((name, ctypes.c_void_p) for name in ("x", "sent", "rest", "mean", "more")),
-        *((name, ctypes.c_void_p) for name in ("size", "group", "order", "up", "over")),
+        *((name, ctypes.c_void_p) for name in ("size", "group", "order", "up", "over", "inner")),
     )
 
 
 def _in_numpy(
-    links: Links, y: Floats, capacity: Floats, flow: Floats, unit: float
+    links: Links, y: Floats, capacity: Floats, flow: Floats, slack: float
 ) -> tuple[Floats, Floats] | None:
-    free = np.abs(flow) < capacity
-    inside = _groups(links, free)
-    between = inside[links.ends[:, 0]] != inside[links.ends[:, 1]]
-    x = _values(inside, y - links.incidence @ np.where(between, flow, 0.0))
+    first, second = links.ends[:, 0], links.second
+    inner = np.abs(flow) < capacity
+    while True:
+        group = _groups(links, inner)
+        between = group[first] != group[second]
+        x = _values(group, y - links.incidence @ np.where(between, flow, 0.0))
+        fall = x[first] - x[second]
+        equal = between & (capacity > 0) & (np.abs(fall) <= slack)
+        if not equal.any():
+            break
+        inner |= equal
     missing = y - x - links.incidence @ flow
-    forest = rooted(links.n, links.ends[free], np.flatnonzero(free).astype(np.int32))
+    forest = rooted(links.n, links.ends[inner], np.flatnonzero(inner).astype(np.int32))
     sent = flow + _routed(links, forest, missing)
-    slack = unit * (float(np.max(np.abs(y - x))) + float(np.max(capacity, initial=0.0)))
-    fall = x[links.ends[:, 0]] - x[links.ends[:, 1]]
-    uphill = (flow * fall < 0) & (np.abs(fall) > slack)
-    if (np.abs(sent) > capacity + slack).any() or uphill.any():
+    if (np.abs(sent) > capacity + slack).any() or (flow * fall < -slack * capacity).any():
         return None
     return x, np.clip(sent, -capacity, capacity)
 
 
-def _groups(links: Links, free: NDArray[np.bool_]) -> NDArray[np.int32]:
+def _groups(links: Links, inner: NDArray[np.bool_]) -> NDArray[np.int32]:
     """Number of the group of each place."""
-    ends = links.ends[free]
+    ends = links.ends[inner]
     ones = np.ones(len(ends), dtype=np.int8)
     joined = sparse.coo_array((ones, (ends[:, 0], ends[:, 1])), shape=(links.n, links.n))
     found: NDArray[np.int32] = csgraph.connected_components(joined, directed=False)[1]

@@ -1,7 +1,7 @@
 """The proximal map of total variation on a network, exactly, by maximum flows in whole numbers.
 
 In C or in Python. The data are rounded to multiples of 2^-59 of the largest, and from there on all
-is exact, so that both roads give the same bits.
+is exact, so that both roads give the same point, bit by bit; the flows that prove it may differ.
 """
 
 from __future__ import annotations
