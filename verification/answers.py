@@ -33,8 +33,27 @@ class Input:
 
 
 @dataclass(frozen=True)
+class Detail:
+    """Something that explains an answer.
+
+    Parameters
+    ----------
+    data : object
+        What the ``--json`` document has under the detail's name.
+    lines : tuple of (str, str)
+        The same for a reader: a label and a text each.
+    """
+
+    data: Any
+    lines: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
 class Answer:
-    """A quantity's or condition's answer; the fields are those of the ``--json`` document."""
+    """A quantity's or condition's answer; the fields are those of the ``--json`` document.
+
+    `more` has further keys of the document, each made when somebody shows it; None leaves it out.
+    """
 
     value: Any = None
     exact: dict[str, Any] | None = None
@@ -45,6 +64,7 @@ class Answer:
     certificate: dict[str, Any] | None = None
     margin: float | None = None
     notes: tuple[str, ...] = ()
+    more: Mapping[str, Callable[[], Detail | None]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,6 @@ from verification.systems import SYSTEMS
 from verification.verdict import Decision, Verdict
 from verification.verify import select, tasks_of, verify
 from verification.verify.parallel import run_all
-from verification.verify.sweeping import critical_side
 
 CLAIMS = next(system.claims for system in THEORY if system.name == "variational")
 IDS = [claim.id for claim in CLAIMS]
@@ -275,14 +274,6 @@ def test_a_process_that_ends_loses_its_own_task_only():
     tasks = ["a", "bad", "b", "c"]
     found = run_all(end_unless_good, tasks, 2, lambda task: f"lost {task}", lambda _task: None)
     assert found == ["A", "lost bad", "B", "C"]
-
-
-def test_the_smaller_side_of_a_cut_is_shown():
-    def side(nodes, n):
-        return critical_side({"witness": [{"kind": "cuts"}, {"kind": "cut", "nodes": nodes}]}, n)
-
-    assert side([3, 1], 5) == [1, 3]
-    assert side([4, 1, 0], 5) == [2, 3]
 
 
 def test_records_say_the_truth_about_where_files_are(decide, tmp_path):

@@ -17,7 +17,7 @@ from verification.inputs import read_inputs
 from verification.systems import SYSTEMS
 
 from . import given
-from .document import document_of, lines_of
+from .document import details_of, document_of, lines_of
 
 Question = Quantity | Condition
 NO_ANSWER = 3
@@ -89,11 +89,12 @@ def answer(options: argparse.Namespace, system: str, question: Question) -> tupl
     if out is not None and found.certificate is not None:
         write_text(out, certificate_text(found.certificate))
     path = str(out) if out is not None and found.certificate is not None else None
-    document = document_of(system, question, found, reading.texts, path, seconds)
+    details = details_of(found)
+    document = document_of(system, question, found, reading.texts, path, seconds, details)
     if options.json:
         print(json.dumps(document))
     else:
-        print("\n".join(lines_of(document)))
+        print("\n".join(lines_of(document, details)))
     written = out is None or path is not None
     if not written:
         reason = "; ".join(found.notes) or "no witness was found"

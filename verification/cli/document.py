@@ -9,7 +9,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from verification.answers import Answer, Condition, Quantity
+from verification.answers import Answer, Condition, Detail, Quantity
+from verification.plain_text import harmless
 
 LABEL = 13
 LONGEST = 72
@@ -23,6 +24,7 @@ def document_of(
     inputs: Mapping[str, Any],
     path: str | None,
     seconds: float,
+    details: Mapping[str, Detail],
 ) -> dict[str, Any]:
     """The ``--json`` document of an answer."""
     kind = "quantity" if isinstance(question, Quantity) else "condition"
@@ -43,7 +45,13 @@ def document_of(
     }
     if kind == "condition":
         document["margin"] = jsonable(found.margin)
-    return document
+    return document | {name: detail.data for name, detail in details.items()}
+
+
+def details_of(found: Answer) -> dict[str, Detail]:
+    """What explains an answer, by name."""
+    made = {name: make() for name, make in found.more.items()}
+    return {name: detail for name, detail in made.items() if detail is not None}
 
 
 def jsonable(value: Any) -> Any:
@@ -69,8 +77,12 @@ def _digest(system: str, found: Answer) -> str:
     return next((entry.digest for entry in SYSTEMS if entry.name == system), "")
 
 
-def lines_of(document: Mapping[str, Any]) -> list[str]:
-    """The answer for a reader, a line each."""
+def lines_of(document: Mapping[str, Any], details: Mapping[str, Detail]) -> list[str]:
+    """The answer for a reader, a line each, without characters that a terminal acts on."""
+    return [harmless(line) for line in _lines_of(document, details)]
+
+
+def _lines_of(document: Mapping[str, Any], details: Mapping[str, Detail]) -> list[str]:
     question = document.get("quantity", document.get("condition"))
     lines = [f"{document['system']}.{question}"]
     lines += [_line(name, _short(value)) for name, value in document["inputs"].items()]
@@ -80,6 +92,7 @@ def lines_of(document: Mapping[str, Any]) -> list[str]:
     elif document["margin"] is not None:
         lines.append(_line("margin", f"{_digits(document['margin'])} from the threshold"))
     lines.append(_line("verdict", document["verdict"]))
+    lines += [_line(*pair) for detail in details.values() for pair in detail.lines]
     lines += [_line("note", note) for note in document["notes"]]
     path = document["certificate"]
     if path is not None:

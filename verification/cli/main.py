@@ -156,7 +156,10 @@ def _report(error: Exception) -> int:
     from sensortrack.errors import SensorTrackError
 
     if isinstance(error, (SensorTrackError, Misuse)):
-        print(f"sensortrack: {error}", file=sys.stderr)
+        from verification.plain_text import harmless
+
+        lines = f"sensortrack: {error}".split("\n")
+        print("\n".join(map(harmless, lines)), file=sys.stderr)
         return MISUSE
     what = " ".join(str(error).split())[:500]
     print(f"sensortrack: internal: {type(error).__name__}: {what}", file=sys.stderr)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TextIO
+
+from verification.plain_text import harmless
 
 from .records import (
     NETWORK_HEAD,
@@ -26,7 +27,6 @@ COLOURS = {"PROVED": 36, "CORRECTED": 33, "REFUTED": 31, "SUPPORTED": 35, "UNDEC
 ASCII = str.maketrans({"–": "-", "…": "..", "≥": ">=", "≤": "<=", "×": "x", "β": "beta", "λ": "l"})
 NARROW = 60
 FILE_WIDTH = 140
-CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
 
 
 def show(folder: Path, *, plain: bool = False, stream: TextIO | None = None) -> None:
@@ -72,7 +72,7 @@ def network_lines(findings: Findings, width: int) -> list[str]:
     """The table of networks, with a head."""
     if not findings.networks:
         return []
-    rows = [[_clean(cell) for cell in network_cells(row)] for row in findings.networks]
+    rows = [[harmless(cell) for cell in network_cells(row)] for row in findings.networks]
     table = [[*row[:3], *row[4:]] for row in ([*NETWORK_HEAD], *rows)]
     return [
         "",
@@ -121,11 +121,6 @@ def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
         "  ".join(text.ljust(width) for text, width in zip(row, widths, strict=True)).rstrip()
         for row in rows
     ]
-
-
-def _clean(text: str) -> str:
-    """Names come from files: no control character reaches the terminal."""
-    return CONTROL.sub("?", text)
 
 
 def _writes(text: str, stream: TextIO) -> bool:

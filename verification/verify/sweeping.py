@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from sensortrack.data import load_network, network_places
@@ -60,12 +59,9 @@ def _ask(question: str, network: Network, gamma: bool) -> Answer:
 def _row(network: Network, sharp: Answer) -> dict[str, Any]:
     connectivity = _ask("algebraic_connectivity", network, gamma=False).value
     printed = _ask("printed_threshold", network, gamma=True).value
-    side = critical_side(sharp.certificate, network.n)
-    links = [
-        [network.names[i], network.names[j]]
-        for i, j in network.edges.tolist()
-        if (i in side) != (j in side)
-    ]
+    shown = sharp.more["cut"]()
+    assert shown is not None
+    cut = shown.data
     exact = (sharp.exact or {}).get("value")
     return {
         "graph": network.label,
@@ -76,19 +72,10 @@ def _row(network: Network, sharp: Answer) -> dict[str, Any]:
         "threshold_value": finite(sharp.value),
         "printed_value": finite(printed),
         "ratio": finite(printed / sharp.value),
-        "cut": [network.names[i] for i in side],
-        "cut_edges": len(links),
-        "cut_links": links,
+        "cut": cut["nodes"],
+        "cut_edges": cut["edge_count"],
+        "cut_links": cut["edges"],
         "names": list(network.names),
         "edge_list": network.edges.tolist(),
         "places": network_places(network.label).round(3).tolist(),
     }
-
-
-def critical_side(document: Any, nodes: int) -> Sequence[int]:
-    """Node numbers of the smaller side of the cut in a certificate's witness, increasing."""
-    cut = next(item for item in document["witness"] if item["kind"] == "cut")
-    side = sorted(map(int, cut["nodes"]))
-    if 2 * len(side) <= nodes:
-        return side
-    return sorted(set(range(nodes)).difference(side))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,6 +16,7 @@ from verification.exact.rationals import nearest
 from verification.exact.spectral_gap import connectivity_value
 
 from .brackets import SYSTEM, answer
+from .critical import explained
 from .network_inputs import (
     Numbers,
     bounds_of,
@@ -56,7 +58,7 @@ def gain_threshold(values: Mapping[str, Any]) -> Answer:
     found = threshold(network, gamma)
     inputs = {"graph": graph_data(network, found.product), "gamma": node_data(gamma)}
     exact = None if found.value is None else {"kind": "rational", "value": str(found.value)}
-    return answer(
+    shown = answer(
         "gain_threshold",
         inputs,
         found,
@@ -66,6 +68,7 @@ def gain_threshold(values: Mapping[str, Any]) -> Answer:
         component_notes(network, LARGEST),
         printed_gain(network, gamma),
     )
+    return replace(shown, more=explained(network, found, gamma))
 
 
 def decide_gain(values: Mapping[str, Any]) -> Answer:
@@ -93,7 +96,8 @@ def decide_gain(values: Mapping[str, Any]) -> Answer:
     notes = component_notes(network, LARGEST)
     if holds is None or witness is None:
         reason = f"beta lies between the proved bounds {found.lower} and {found.upper}"
-        return Answer(verdict="UNDECIDED", margin=margin, notes=(*notes, reason))
+        more = explained(network, found)
+        return Answer(verdict="UNDECIDED", margin=margin, notes=(*notes, reason), more=more)
     verdict = "PROVED" if holds else "REFUTED"
     inputs = {
         "graph": graph_data(network, found.product),
@@ -101,7 +105,8 @@ def decide_gain(values: Mapping[str, Any]) -> Answer:
         "beta": beta,
     }
     document = certificate(SYSTEM, "gain", inputs, [witness], case=verdict)
-    return Answer(verdict=verdict, certificate=document, margin=margin, notes=notes)
+    more = explained(network, found)
+    return Answer(verdict=verdict, certificate=document, margin=margin, notes=notes, more=more)
 
 
 def printed_threshold(values: Mapping[str, Any]) -> Answer:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -23,6 +24,7 @@ from verification.exact.spectral_gap import (
 )
 
 from .brackets import SYSTEM, answer
+from .critical import explained
 from .gains import NO_LAMBDA, reaches_printed_gain
 from .network_inputs import (
     Numbers,
@@ -60,7 +62,7 @@ def margin_rate_squared(values: Mapping[str, Any]) -> Answer:
     network = network_of(values)
     found = margin(network)
     exact = None if found.value is None else {"kind": "rational", "value": str(found.value)}
-    return answer(
+    shown = answer(
         "margin_rate_squared",
         {"graph": graph_data(network)},
         found,
@@ -69,6 +71,7 @@ def margin_rate_squared(values: Mapping[str, Any]) -> Answer:
         exact,
         component_notes(network, "the smallest value counts"),
     )
+    return replace(shown, more=explained(network, found))
 
 
 def algebraic_connectivity(values: Mapping[str, Any]) -> Answer:
@@ -147,14 +150,15 @@ def settling_time(values: Mapping[str, Any]) -> Answer:
         "x0": list(x0),
     }
     notes = component_notes(network, LONGEST)
+    more = explained(network, found)
     if found.infinite:
-        return _never(inputs, found, notes)
+        return replace(_never(inputs, found, notes), more=more)
     printed = None
     if reaches_printed_gain(network, gamma, beta):
         printed = printed_time(network, [spread([x0[i] for i in n]) for n in pieces(network)])
     ends = _root(found.lower, down=True), _root(found.upper, down=False)
     exact = _exact_root(found.value)
-    return answer(
+    shown = answer(
         "settling_time",
         inputs,
         found,
@@ -164,6 +168,7 @@ def settling_time(values: Mapping[str, Any]) -> Answer:
         notes,
         printed,
     )
+    return replace(shown, more=more)
 
 
 def _never(inputs: dict[str, Any], found: CutBracket, notes: tuple[str, ...]) -> Answer:
