@@ -27,15 +27,18 @@ import math
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import TypeVar
 
 from sensortrack.errors import SensorTrackError
 from sensortrack.networks import Network
 
 from .prox import Numbers, centred, levelled, weights_of
+from .rationals import nearest
 
 Key = TypeVar("Key", bound=Hashable)
 Point = tuple[Fraction, ...]
+End = tuple[Fraction, tuple["Group", ...]]
 Phase = tuple[Fraction, Numbers]
 """How long a disturbance lasts, and its value at each node."""
 
@@ -69,20 +72,40 @@ class Piece:
     signs: Point
 
 
+@dataclass(frozen=True, eq=False)
+class Group:
+    """Neighbours that move together: at the time t they are at start + rate t."""
+
+    nodes: Sequence[int]
+    start: Fraction
+    rate: Fraction
+
+    def at(self, time: Fraction) -> Fraction:
+        """Where they are."""
+        return self.start + self.rate * time
+
+
 @dataclass(frozen=True)
 class Run:
     """A run of the error in straight pieces.
 
     Parameters
     ----------
-    points : tuple of tuple of Fraction
-        The error at the start and at the end of each piece, of mean zero in each component.
+    start : tuple of Fraction
+        The error at the start, of mean zero in each component.
     pieces : tuple of Piece
-        One less than there are points.
+    ends : tuple of (Fraction, tuple of Group)
+        The end of each piece, on the clock of its disturbance, and the group of each node.
     """
 
-    points: tuple[Point, ...]
+    start: Point
     pieces: tuple[Piece, ...]
+    ends: tuple[End, ...]
+
+    @cached_property
+    def points(self) -> tuple[Point, ...]:
+        """The error at the start and at the end of each piece."""
+        return (self.start, *(_point(*end) for end in self.ends))
 
     @property
     def times(self) -> tuple[Fraction, ...]:
@@ -149,27 +172,24 @@ def filippov_run(
     LongRunError
         The run has more events, or its numbers more digits, than are followed.
     """
-    points, pieces = [tuple(centred(network, x0))], []
+    x = start = tuple(centred(network, x0))
+    pieces: list[Piece] = []
+    ends: list[End] = []
     zero = (Fraction(0),) * network.n
     for duration, u in [(None, zero)] if phases is None else phases:
-        motion = _Motion(network, beta, points[-1], u, longest)
-        for span, point, signs in motion.events(duration):
-            points.append(point)
+        motion = _Motion(network, beta, x, u, longest)
+        for span, end, signs in motion.events(duration):
             pieces.append(Piece(span, tuple(u), signs))
+            ends.append(end)
         longest = motion.left
-    return Run(tuple(points), tuple(pieces))
+        x = _point(*ends[-1]) if ends else x
+    return Run(start, tuple(pieces), tuple(ends))
 
 
-@dataclass(frozen=True, eq=False)
-class _Group:
-    """Neighbours that move together: at the time t they are at start + rate t."""
-
-    nodes: Sequence[int]
-    start: Fraction
-    rate: Fraction
-
-    def at(self, time: Fraction) -> Fraction:
-        return self.start + self.rate * time
+def _point(time: Fraction, groups: Sequence[Group]) -> Point:
+    """Where the nodes are."""
+    values = {group: group.at(time) for group in groups}
+    return tuple(values[group] for group in groups)
 
 
 class _Motion:
@@ -189,41 +209,35 @@ class _Motion:
         self.capacity = [int(c * self.unit) for c in capacities]
         self.push = [int(v * self.unit) for v in push]
         self.signs = [Fraction((x[i] > x[j]) - (x[i] < x[j])) for i, j in self.edges]
-        self.group = [_Group((i,), value, Fraction(0)) for i, value in enumerate(x)]
-        self.meetings: list[tuple[Fraction, int, int, _Group, _Group]] = []
+        self.group = [Group((i,), value, Fraction(0)) for i, value in enumerate(x)]
+        self.meetings: list[tuple[float, Fraction, int, int, Group, Group]] = []
         self.count = itertools.count()
         level = [e for e, sign in enumerate(self.signs) if not sign]
         self._solve(self._sets(level, self.group), Fraction(0))
 
-    def events(self, duration: Fraction | None) -> Iterator[tuple[Fraction, Point, Point]]:
+    def events(self, duration: Fraction | None) -> Iterator[tuple[Fraction, End, Point]]:
         """Each piece's length, end and signs, up to a time or to the end of all motion."""
         time = Fraction(0)
-        while self.meetings and (duration is None or self.meetings[0][0] < duration):
-            then = self.meetings[0][0]
+        while self.meetings and (duration is None or self.meetings[0][1] < duration):
+            then = self.meetings[0][1]
             met = []
-            while self.meetings and self.meetings[0][0] == then:
-                _, _, e, *groups = heapq.heappop(self.meetings)
-                if groups == self._ends(e):
+            while self.meetings and self.meetings[0][1] == then:
+                *_, e, one, other = heapq.heappop(self.meetings)
+                if [one, other] == self._ends(e):
                     met.append(e)
             if met:
-                yield then - time, self._point(then), tuple(self.signs)
+                yield then - time, (then, tuple(self.group)), tuple(self.signs)
                 time = then
                 self._solve(self._sets(met), then)
         if duration is not None and duration > time:
-            yield duration - time, self._point(duration), tuple(self.signs)
+            yield duration - time, (duration, tuple(self.group)), tuple(self.signs)
 
-    def _ends(self, e: int) -> list[_Group]:
+    def _ends(self, e: int) -> list[Group]:
         return [self.group[i] for i in self.edges[e]]
 
-    def _point(self, time: Fraction) -> Point:
-        values = {group: group.at(time) for group in self.group}
-        if max(value.denominator.bit_length() for value in values.values()) > BITS:
-            raise LongRunError(f"the run's numbers have more than {BITS} binary digits")
-        return tuple(values[group] for group in self.group)
-
-    def _sets(self, met: Sequence[int], alone: Sequence[_Group] = ()) -> list[list[int]]:
+    def _sets(self, met: Sequence[int], alone: Sequence[Group] = ()) -> list[list[int]]:
         """Nodes of the groups that edges with level ends join, and of groups by themselves."""
-        near: dict[_Group, list[_Group]] = {group: [] for group in alone}
+        near: dict[Group, list[Group]] = {group: [] for group in alone}
         for e in met:
             one, other = self._ends(e)
             near.setdefault(one, []).append(other)
@@ -241,9 +255,10 @@ class _Motion:
                 if one is not other and closing > 0 and e not in seen:
                     seen.add(e)
                     then = (one.start - other.start) / (other.rate - one.rate)
-                    heapq.heappush(self.meetings, (then, next(self.count), e, one, other))
+                    key = nearest(then), then, next(self.count)  # doubles are compared first
+                    heapq.heappush(self.meetings, (*key, e, one, other))
 
-    def _solved(self, nodes: list[int], time: Fraction) -> list[_Group]:
+    def _solved(self, nodes: list[int], time: Fraction) -> list[Group]:
         """New groups of a set of neighbours with one value."""
         self.left -= len(nodes)
         if self.left < 0:
@@ -267,9 +282,11 @@ class _Motion:
                 near[nodes[i]].append(nodes[j])
                 near[nodes[j]].append(nodes[i])
         value, groups = self.group[nodes[0]].at(time), []
+        if value.denominator.bit_length() > BITS:
+            raise LongRunError(f"the run's numbers have more than {BITS} binary digits")
         for members in _components(near):
             rate = found.values[at[members[0]]] / self.unit
-            groups.append(_Group(tuple(members), value - rate * time, rate))
+            groups.append(Group(tuple(members), value - rate * time, rate))
             for i in members:
                 self.group[i] = groups[-1]
         return groups
