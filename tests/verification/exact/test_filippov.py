@@ -194,6 +194,19 @@ def test_the_settling_time_is_attained_on_the_ray_of_the_slowest_cut(case, lengt
     assert not any(run.points[-1])
 
 
+def test_neighbours_that_move_together_may_part_again():
+    """The first and the fourth node meet at 1 and part at 7/5, when the others' pull has grown."""
+    edges = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [3, 4]])
+    network = Network(list("abcde"), edges)
+    run = filippov_run(network, Fraction(1), [Fraction(v) for v in (1, 4, 6, 0, 4)])
+    assert_solves(network, Fraction(1), run)
+    gaps = [run.at(time)[0] - run.at(time)[3] for time in (1, Fraction(6, 5), Fraction(7, 5), 2)]
+    assert gaps[:3] == [0, 0, 0]
+    assert gaps[3] > 0
+    assert abs(run.pieces[1].signs[2]) < 1 == run.pieces[2].signs[2]
+    assert run.agreement == Fraction(11, 5)
+
+
 @st.composite
 def switched(draw):
     """Networks on the same nodes, a gain above all their thresholds, and the smallest rate."""
