@@ -11,7 +11,9 @@ from theory.systems import SYSTEMS
 from verification.systems import SYSTEMS as ROOMS
 
 NAMES = [system.name for system in SYSTEMS]
-WAITING: dict[str, set[str]] = {}
+WAITING = {
+    "bearing_dac": {"page", "notebook", "scenario", "benchmark", "laws"},
+}
 """What a system does not have yet; an entry that is no longer true fails too."""
 
 

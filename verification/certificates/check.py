@@ -218,7 +218,49 @@ class Cuts:
                 net[i], net[j] = net[i] + amount, net[j] - amount
                 loads[edge] += self.gamma[source] * abs(amount)
             need(not any(net), f"the flow of node {source} leaks")
-        bound = max((x / w for x, (*_, w) in zip(loads, self.edges)), default=self.b) / (self.n * unit * self.unit)
+        self.settle(loads, self.n * unit)
+    def cells(self, scale, levels):
+        """Carries the means of cells, then of the cells within each, down to single nodes: their loads add up."""
+        scale, home, loads = whole(scale), [0] * self.n, [0] * len(self.edges)
+        need(scale > 0 and not self.r, "a routing bounds the threshold only")
+        for unit, cells, weights, sources in (listed(level, 4) for level in listed(levels)):
+            inner = [(e, i, j, home[i]) for e, (i, j, _) in enumerate(self.edges) if home[i] == home[j]]
+            self.proof.steps += 1 + (self.n + len(inner)) * len(listed(sources)) // 32
+            need(self.proof.steps <= CUT_STEPS, "too many flows")
+            for row, length in [([unit], 1), (cells, self.n), (weights, len(inner)), *((x, self.n) for x in sources)]:
+                need(all(type(v) is int and abs(v) < 1 << 63 for v in listed(row, length)), "64 bits are due")
+            need(unit > 0 <= min(cells) and max(cells) < len(sources), "no unit, or a cell without a source")
+            up, links, place = {}, [], {(i, j): t for t, (_, i, j, _) in enumerate(inner)}
+            for root in range(self.n):  # a tree in each cell so far, from its smallest node
+                walk = [] if root in up else [root]
+                for i in walk:
+                    up.setdefault(root, root)
+                    walk += [j for j in self.near[i] if home[j] == home[i] and up.setdefault(j, i) == i]
+                links += [(i, up[i], place[min(i, up[i]), max(i, up[i])]) for i in walk[1:]]
+            need(self.n - len(links) == len({*home}), "a cell is not connected")
+            size, keys, parts = dict.fromkeys(home, 0), [*zip(home, cells)], {}
+            for g, key in zip(self.gamma, keys):
+                size[key[0]] += 1
+                parts.setdefault(key, []).append(g)
+            for k, steps in enumerate(sources):  # of potentials along the trees
+                held = {h: parts.get((h, k), ()) for h in size}
+                share = {h: -(-sum(of) * scale // (len(of) * size[h] * unit)) if of else 0 for h, of in held.items()}
+                x, net = steps[:], [unit * (size[h] * (k == cell) - len(held[h])) for h, cell in keys]
+                for i, j, _ in links:
+                    x[i] += x[j]
+                flow = [w * (x[i] - x[j]) >> 20 for w, (_, i, j, _) in zip(weights, inner)]
+                for (_, i, j, _), amount in zip(inner, flow):
+                    net[i], net[j] = net[i] - amount, net[j] + amount
+                for i, j, t in reversed(links):  # what a flow leaves goes up the tree: at its root, all is zero
+                    flow[t], net[j] = flow[t] + (net[i] if i < j else -net[i]), net[j] + net[i]
+                for (e, _, _, h), amount in zip(inner, flow):
+                    loads[e] += share[h] * abs(amount)
+            place = {key: number for number, key in enumerate(parts)}
+            home = [place[key] for key in keys]
+        need(len({*home}) == self.n, "cells of several nodes are left")
+        self.settle(loads, scale)
+    def settle(self, loads, scale):
+        bound = max((x / w for x, (*_, w) in zip(loads, self.edges)), default=self.b) / (scale * self.unit)
         if bound > self.b:  # then no value that N/k can take may lie above b, up to the bound
             need(self.b > 0 and min(self.gamma) == max(self.gamma), f"the routing proves {bound} only")
             for s in range(1, self.n // 2 + 1):
@@ -375,7 +417,7 @@ def clear_part(proof, item, graph, part, gamma, b, f, e):
         for factor, entry in zip(graph.factors, inner):
             clear_part(proof, entry, factor, factor.parts[0], gamma, b, f, e)
     else:
-        item = fields(item, {"tree": "", "enumeration": "order", "routing": "unit flows"})
+        item = fields(item, {"tree": "", "enumeration": "order", "routing": "unit flows", "cells": "scale levels"})
         getattr(Cuts(proof, part, gamma, b, f, e), item.pop("kind"))(**item)
 def cut_reaches(proof, graph, gamma, b, f, e, strict=False):
     """Some cut has b k <= N or f (b k - N)^2 <= E p; if strict, N > b k."""

@@ -100,9 +100,13 @@ def solved(
     return found
 
 
-def clear_item(network: Network, parts: Sequence[Component], shown: Sequence[Item]) -> Item:
-    """Witness for all components from those for the components of two nodes or more."""
-    items = [SINGLE] * len(network.components())
+def clear_item(
+    network: Network, parts: Sequence[Component], shown: Sequence[Item | None]
+) -> Item | None:
+    """Witness for all components from those for the components of two nodes or more, if all are."""
+    if any(item is None for item in shown):
+        return None
+    items: list[Item | None] = [SINGLE] * len(network.components())
     for part, item in zip(parts, shown, strict=True):
         items[part.place] = item
     return {"kind": "cuts", "parts": items}

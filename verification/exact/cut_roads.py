@@ -11,6 +11,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from .cell_bounds import route_by_cells
+from .cell_routing import CellRouting
 from .cut_local import congested_cut, good_cut
 from .cut_orders import orders
 from .cut_problem import Aim, Hurdle, Problem
@@ -33,6 +35,9 @@ LATE_ORDERS = 3
 LONG_NODES = 40
 """Up to this size a search may be far longer than the checker's, for the value alone."""
 
+EXPLICIT = 250
+"""Up to this size flows are written down, edge by edge; in larger networks they go by cells."""
+
 LOOSER = tuple(Fraction(k, 1000) for k in (1003, 1010, 1030, 1100, 1300, 2000, 4000, 16000))
 """Factors by which a hurdle is weakened where it cannot be shown."""
 
@@ -48,7 +53,7 @@ class Budget:
     search : int
         Nodes of a search for the value alone.
     flows : int
-        Most entries n m of a routing.
+        Most entries n m of a routing that is written down.
     """
 
     visits: int = 2_000_000
@@ -58,10 +63,14 @@ class Budget:
 
 @dataclass(frozen=True)
 class Shown:
-    """A hurdle that all cuts pass, the witness, and how many nodes of a search tree it costs."""
+    """A hurdle that all cuts pass, the witness, and how many nodes of a search tree it costs.
+
+    There is no witness where it would be too long for the checker: then the bound stands on the
+    exact integers from which it was computed.
+    """
 
     hurdle: Hurdle
-    part: Part
+    part: Part | None
     visits: int = 0
 
 
@@ -124,7 +133,7 @@ def solve(task: Problem, start: Hurdle, aim: Aim, budget: Budget) -> Solved:
             return solved
         if aim is Aim.RATIO and limit == LIMITS[0]:
             solved = _routed(task, start, solved, budget)
-            if solved.closed:
+            if solved.closed or task.n > EXPLICIT:
                 return solved
     solved = _valued(task, solved, aim, budget)
     return _loosened(task, solved, aim, min(LIMITS[0] * 4, budget.visits))
@@ -236,8 +245,8 @@ def _shortest(solved: Solved, walks: list[Walk], limit: int) -> Solved:
 
 def _routed(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solved:
     """Route disturbances; where that leaves room, look for a worse cut where they pile up."""
-    if task.n * len(task.edges) > budget.flows:
-        return solved
+    if task.n > EXPLICIT or task.n * len(task.edges) > budget.flows:
+        return _carried(task, start, solved, budget)
     try:
         routing = first_routing(task)
     except (ArithmeticError, ValueError):  # hopelessly unlike weights: numpy gives up
@@ -251,11 +260,25 @@ def _routed(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Sol
     return _with_routing(task, solved, routing)
 
 
-def _with_routing(task: Problem, solved: Solved, routing: Routing) -> Solved:
+def _carried(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solved:
+    """The same for a large network, by cells."""
     assert solved.hurdle is not None
-    if closes(task, solved.hurdle, routing.up):
-        return replace(solved, shown=Shown(solved.hurdle, routing.part()), complete=True)
-    return replace(solved, shown=Shown(task.gain_hurdle(routing.up), routing.part()))
+    try:
+        routing = route_by_cells(task, task.ratio(solved.hurdle), budget.visits)
+    except ArithmeticError:  # hopelessly unlike weights
+        return solved
+    if not closes(task, solved.hurdle, routing.up):
+        cut = large_cut(task, start, Aim.RATIO, conductances=routing.conductances)
+        solved = _with(task, start, Aim.RATIO, solved, cut)
+    return _with_routing(task, solved, routing)
+
+
+def _with_routing(task: Problem, solved: Solved, routing: Routing | CellRouting) -> Solved:
+    hurdle, part = solved.hurdle, routing.part()
+    assert hurdle is not None
+    closed = closes(task, hurdle, routing.up)
+    shown = Shown(hurdle if closed else task.gain_hurdle(routing.up), part, routing.steps)
+    return replace(solved, shown=shown, complete=closed)
 
 
 def _valued(task: Problem, solved: Solved, aim: Aim, budget: Budget) -> Solved:

@@ -48,11 +48,12 @@ class CutBracket:
     Parameters
     ----------
     lower, upper : Fraction or None
-        One end is attained by the cut, the other shown by `clear`; None if nothing was shown.
+        One end is attained by the cut, the other shown; None if nothing was shown.
     cut : tuple of int
         Nodes of one side; of the factor that `reaches` names if `product`.
     reaches, clear : dict
-        Witness items for the two ends. `clear` is None if nothing was shown.
+        Witness items for the two ends. `clear` is None if nothing was shown, or by integers that
+        are too many for the checker.
     value : Fraction or None
         The constant where it is known: from witnesses, or from a search of all cuts that is too
         long for a witness.
@@ -91,7 +92,7 @@ def threshold(network: Network, gamma: Sequence[Fraction], budget: Budget = DEFA
     Returns
     -------
     CutBracket
-        The cut attains `lower`; `clear` shows `upper`.
+        The cut attains `lower`; `clear` shows `upper`, if it is not too long for the checker.
 
     Raises
     ------
@@ -264,10 +265,10 @@ def _threshold_of_factors(network: Network, gamma: Fraction, budget: Budget) -> 
     place = max(range(len(found)), key=lowers.__getitem__)
     uppers = [one.upper for one in found if one.upper is not None]
     items = [one.clear["parts"][0] for one in found if one.clear is not None]
-    clear, upper = None, None
+    upper = max(uppers) if len(uppers) == len(found) else None
+    clear = None
     if len(items) == len(found):
         clear = {"kind": "cuts", "parts": [{"kind": "product", "parts": items}]}
-        upper = max(uppers)
     known = lowers[place] == upper or all(one.value is not None for one in found)
     cut = found[place].cut
     return CutBracket(

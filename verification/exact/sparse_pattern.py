@@ -96,7 +96,7 @@ class _Pattern(ctypes.Structure):
     )
 
 
-def analyse(n: int, edges: NDArray[np.int64]) -> Symbolic:
+def analyse(n: int, edges: NDArray[np.int64], order: Integers | None = None) -> Symbolic:
     """Order a graph and find the pattern of its factor.
 
     Parameters
@@ -105,6 +105,8 @@ def analyse(n: int, edges: NDArray[np.int64]) -> Symbolic:
         Number of nodes, one or more.
     edges : ndarray of int64, shape (m, 2)
         Each undirected edge once, no loops; the graph need not be connected.
+    order : ndarray of int32, shape (n,), optional
+        An order that is known to be good, as one for a graph with more edges is; found by default.
 
     Returns
     -------
@@ -118,7 +120,7 @@ def analyse(n: int, edges: NDArray[np.int64]) -> Symbolic:
     MemoryError
     """
     edges = _checked(n, edges)
-    order = elimination_order(n, edges)
+    order = elimination_order(n, edges) if order is None else order
     library = kernel("ldl").library
     if library is None or blas() is None:
         none = np.zeros(1, dtype=np.int32)

@@ -48,6 +48,18 @@ def ring_routing():
     return {"kind": "routing", "unit": 2, "flows": flows}
 
 
+def ring_cells():
+    """The ring in two halves, each half in two; flows as even as they can be, for the bound 3."""
+    return {
+        "kind": "cells",
+        "scale": 8,
+        "levels": [
+            [1, [0, 1, 1, 0], [2**20] * 4, [[0, -2, 0, 0], [0, 2, 0, 0]]],
+            [1, [0, 0, 1, 1], [2**20] * 2, [[0, 0, -1, -1], [0, 0, 1, 1]]],
+        ],
+    }
+
+
 def derivation(squares=(), relations=()):
     return {
         "kind": "derivation",
@@ -106,6 +118,8 @@ EXPLICIT = [
      {"lower": "3", "upper": "3"}),
     ("bearing_dac.gain_threshold", {"graph": RING, "gamma": "3"},
      [cuts(ring_routing()), {"kind": "cut", "nodes": [1, 2]}], {"lower": "3", "upper": "3"}),
+    ("bearing_dac.gain_threshold", {"graph": RING, "gamma": "3"},
+     [cuts(ring_cells()), {"kind": "cut", "nodes": [1, 2]}], {"lower": "3", "upper": "3"}),
     ("bearing_dac.gain_threshold", {"graph": APART, "gamma": "1"}, [cuts(TREE, TREE), CUT],
      {"lower": "1", "upper": "1"}),
     ("bearing_dac.gain_threshold", {"graph": LADDER, "gamma": "1"},

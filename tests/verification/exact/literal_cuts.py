@@ -4,6 +4,7 @@ Written from the rules alone and in rationals, without the scaling, the caches a
 sums of the checker: a second opinion on every witness.
 """
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
@@ -92,9 +93,9 @@ def check_clear(
     components = network.components()
     for nodes, part in zip(components, witness["parts"], strict=True):
         component = Component(network.subnetwork(nodes), [gamma[i] for i in nodes])
-        {"tree": tree, "enumeration": enumeration, "routing": routing}[part["kind"]](
-            component, b, f, spread(e, nodes), part
-        )
+        {"tree": tree, "enumeration": enumeration, "routing": routing, "cells": cells}[
+            part["kind"]
+        ](component, b, f, spread(e, nodes), part)
 
 
 def tree(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
@@ -158,7 +159,78 @@ def routing(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str,
             loads[edge] += c.gamma[source] * abs(value) / (c.n * unit * c.weights[edge])
         if net != [unit * (c.n * (i == source) - 1) for i in range(c.n)]:
             raise Refused(f"the flow of {source}")
-    up = max(loads)
+    settle(c, b, max(loads))
+
+
+def cells(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
+    if e:
+        raise Refused("a routing says nothing about rates")
+    settle(c, b, max(cell_loads(c, part)))
+
+
+def cell_loads(c: Component, part: dict[str, Any]) -> list[Fraction]:
+    """Load of each edge over its weight, home after home."""
+    loads = [Fraction(0)] * len(c.pairs)
+    grain = part["scale"] * math.lcm(*(bound.denominator for bound in c.gamma))
+    homes = [list(range(c.n))]
+    for unit, place, weights, sources in part["levels"]:
+        within = [pair for pair in c.pairs if any(set(pair) <= set(home) for home in homes)]
+        finer = []
+        for home in homes:
+            tree = spanning_tree(home, within)
+            for k, steps in enumerate(sources):
+                cell = [i for i in home if place[i] == k]
+                if not cell:
+                    continue
+                finer.append(cell)
+                x = {i: sum(steps[j] for j in ancestors(tree, i)) for i in home}
+                net = {i: unit * (len(home) * (i in cell) - len(cell)) for i in home}
+                flow = {}
+                for (i, j), w in zip(within, weights, strict=True):
+                    if i in home:
+                        flow[i, j] = w * (x[i] - x[j]) // 2**20
+                        net[i] -= flow[i, j]
+                        net[j] += flow[i, j]
+                for i in home:  # what is left at a node goes to the root by itself
+                    for j in ancestors(tree, i)[:-1]:
+                        up = tree[j]
+                        flow[min(j, up), max(j, up)] += net[i] if j < up else -net[i]
+                mean = sum(c.gamma[i] for i in cell) / Fraction(len(cell))
+                factor = mean / (len(home) * unit)
+                factor = Fraction(math.ceil(factor * grain), grain)
+                for pair, amount in flow.items():
+                    at = c.pairs.index(pair)
+                    loads[at] += factor * abs(amount) / c.weights[at]
+        homes = finer
+    if sorted(homes) != [[i] for i in range(c.n)]:
+        raise Refused("not down to single nodes")
+    return loads
+
+
+def spanning_tree(home: list[int], pairs: list[tuple[int, int]]) -> dict[int, int | None]:
+    """The node before each, breadth first from the smallest, edges in the order given."""
+    tree: dict[int, int | None] = {home[0]: None}
+    walk = [home[0]]
+    for i in walk:
+        for j in [sum(pair) - i for pair in pairs if i in pair]:
+            if j not in tree:
+                tree[j] = i
+                walk.append(j)
+    if sorted(walk) != home:
+        raise Refused("not connected")
+    return tree
+
+
+def ancestors(tree: dict[int, int | None], node: int) -> list[int]:
+    """The node, the one before it, and so on to the root."""
+    found, at = [], node
+    while at is not None:
+        found.append(at)
+        at = tree[at]
+    return found
+
+
+def settle(c: Component, b: Fraction, up: Fraction) -> None:
     if b >= up:
         return
     if len(set(c.gamma)) > 1 or b <= 0:

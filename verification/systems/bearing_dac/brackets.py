@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
+from sensortrack.networks import Network
 from verification.answers import Answer
 from verification.certificates.make import CertificateError, certificate
 from verification.exact.cuts import CutBracket
@@ -20,7 +21,19 @@ TOO_LONG = (
     "computed, not certified"
 )
 OPEN = "the bounds that could be proved are too far apart for a value"
+BY_INTEGERS = (
+    "the bounds were computed in exact integers, but a certificate would be longer than the "
+    "checker reads"
+)
+FILE_EDGES = 3_000_000
+"""Most edges of a network that a certificate can hold."""
+
 NO_WITNESS = "no bound from the other side could be proved for a network of this size"
+
+
+def too_long(network: Network) -> bool:
+    """Whether not even the edges of a network fit into a certificate."""
+    return not network.factors and network.m > FILE_EDGES
 
 
 def answer(
@@ -76,5 +89,6 @@ def answer(
         reasons.append(TOO_LONG)
     else:
         shown, exact, verdict = None, None, "UNDECIDED"
-        reasons.append(NO_WITNESS if found.clear is None else OPEN)
+        proved = lower is not None and upper is not None
+        reasons.append(OPEN if found.clear is not None else BY_INTEGERS if proved else NO_WITNESS)
     return Answer(shown, exact, low, high, printed, verdict, document, None, tuple(reasons))

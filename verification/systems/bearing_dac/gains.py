@@ -15,7 +15,7 @@ from verification.exact.cuts import decide, threshold
 from verification.exact.rationals import nearest
 from verification.exact.spectral_gap import connectivity_value
 
-from .brackets import SYSTEM, answer
+from .brackets import BY_INTEGERS, SYSTEM, answer, too_long
 from .critical import explained
 from .network_inputs import (
     Numbers,
@@ -56,7 +56,9 @@ def gain_threshold(values: Mapping[str, Any]) -> Answer:
     """
     network, gamma = network_of(values), bounds_of(values)
     found = threshold(network, gamma)
-    inputs = {"graph": graph_data(network, found.product), "gamma": node_data(gamma)}
+    inputs = {}
+    if found.clear is not None:  # else there is no certificate, and the network may be large
+        inputs = {"graph": graph_data(network, found.product), "gamma": node_data(gamma)}
     exact = None if found.value is None else {"kind": "rational", "value": str(found.value)}
     shown = answer(
         "gain_threshold",
@@ -94,8 +96,10 @@ def decide_gain(values: Mapping[str, Any]) -> Answer:
     holds, witness = decide(network, gamma, beta, found)
     margin = None if found.value is None else nearest(beta - found.value)
     notes = component_notes(network, LARGEST)
-    if holds is None or witness is None:
+    if holds is None or witness is None or too_long(network):
         reason = f"beta lies between the proved bounds {found.lower} and {found.upper}"
+        if holds is not None:
+            reason = f"{BY_INTEGERS}: {found.lower} and {found.upper}, and beta is not between"
         more = explained(network, found)
         return Answer(verdict="UNDECIDED", margin=margin, notes=(*notes, reason), more=more)
     verdict = "PROVED" if holds else "REFUTED"

@@ -1,0 +1,182 @@
+"""Upper bounds on the gain threshold of large networks: which cells, and how much work.
+
+Networks that look flat are split into some dozens of cells, these again, and so on: each further
+level costs little, because a cell's own threshold is much smaller than the whole network's. In
+networks that expand no cells are good, and every node is a cell of its own as far as that can be
+afforded.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import numpy as np
+
+from .cell_flows import Level, Schedule, reweighted
+from .cell_routing import CellRouting, Integers, exact_routing, steps_of
+from .cells import hierarchy, numbered
+from .cut_problem import Problem
+from .laplacian_solver import Floats
+from .wiring import Nodes, Wiring, wiring
+
+CELLS = 48
+"""Cells of the first level."""
+
+BRANCHES = 16
+"""Cells of a cell on further levels."""
+
+SMALLEST = 20
+"""Cells of at most so many nodes are split into single nodes."""
+
+EVERY = 1500
+"""Up to so many nodes each is a cell of its own."""
+
+FINE = 10_000
+"""Up to so many nodes many small cells are tried where some large ones do not do."""
+
+LOOSE = Fraction(5, 4)
+"""Ratio of bound and best cut from which on they do not do."""
+
+LOCAL = (Schedule(16, 0.4, 8),)
+GLOBAL = (Schedule(16, 0.4, 6), Schedule(48, 0.65, 14))
+SHORT = (Schedule(24, 0.55, 8),)
+
+CROWDED, USUAL = 0.6, 1.5
+"""A cell whose own load exceeds this part of the best cut known, and so many times what nine cells
+in ten have, is replaced by its parts."""
+
+KEPT = 5_000_000
+"""Most potentials of a certificate, some nine bytes each."""
+
+
+@dataclass
+class Plan:
+    """A hierarchy of cells and what the edges carry.
+
+    Parameters
+    ----------
+    task : Problem
+    wires : Wiring
+    partitions : list of ndarray of int32, shape (n,)
+        All nodes in one, cells, single nodes.
+    """
+
+    task: Problem
+    wires: Wiring
+    partitions: list[Nodes]
+    gamma: Floats = field(init=False)
+    capacity: Floats = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.gamma, self.capacity = _scaled(self.task.gamma), _scaled(self.task.weights)
+
+    def level(self, depth: int, order: Nodes | None = None) -> Level:
+        """Homes and cells of one step, 0 the coarsest."""
+        home, cell = self.partitions[depth : depth + 2]
+        return Level(self.wires, home, cell, self.gamma, self.capacity, order)
+
+    @property
+    def depth(self) -> int:
+        """Number of steps."""
+        return len(self.partitions) - 1
+
+
+def _scaled(numbers: Sequence[int]) -> Floats:
+    """Whole numbers over the largest of them, in doubles."""
+    top = max(numbers) or 1
+    if top < 2**53:
+        return np.array(numbers, dtype=np.float64) / top
+    return np.array([number / top for number in numbers])
+
+
+def sizes(n: int, cells: int = CELLS) -> list[int]:
+    """About how many nodes the cells of each level have."""
+    found = [max(1, n // cells)]
+    while found[-1] > SMALLEST:
+        found.append(max(1, found[-1] // BRANCHES))
+    return found if found[-1] == 1 else [*found, 1]
+
+
+def route_by_cells(task: Problem, low: Fraction, steps: int) -> CellRouting:
+    """Carry all disturbances of a large network with small loads.
+
+    Parameters
+    ----------
+    task : Problem
+        Connected, bounds not all zero.
+    low : Fraction
+        Load over weight of the best cut known, in the unit of the threshold.
+    steps : int
+        Most steps that a certificate may cost the checker; none is kept if that does not do.
+
+    Returns
+    -------
+    CellRouting
+
+    Raises
+    ------
+    ArithmeticError
+        Weights or bounds are too unlike each other for doubles or 64 bits.
+    """
+    wires = wiring(task.n, task.edges)
+    unit = max(task.gamma) * Fraction(task.weight_unit, max(task.weights) * task.gamma_unit)
+    goal = float(low / unit)
+    if task.n <= EVERY:
+        return _routed(task, wires, [1], goal, steps, GLOBAL)
+    found = _routed(task, wires, sizes(task.n), goal, steps, GLOBAL)
+    if task.n > FINE or found.up <= LOOSE * low:
+        return found
+    most = min(KEPT // task.n, 32 * steps // (2 * (task.n + len(task.edges))))
+    fine = [math.ceil(task.n / most), 1] if most < task.n else [1]
+    return min(found, _routed(task, wires, fine, goal, steps, SHORT), key=lambda one: one.up)
+
+
+def _routed(
+    task: Problem,
+    wires: Wiring,
+    cell_sizes: list[int],
+    low: float,
+    steps: int,
+    schedules: tuple[Schedule, ...],
+) -> CellRouting:
+    """Route with cells of these sizes; `low` is over the largest bound and weight."""
+    plan = Plan(task, wires, hierarchy(wires, cell_sizes))
+    levels: list[Level] = [plan.level(0)]
+    order = levels[0].solver.order
+    weights: list[Integers] = []
+    base = np.zeros(len(plan.capacity))
+    for depth in range(plan.depth - 1, 0, -1):
+        level, chosen = _local(plan, depth, order, base, low)
+        levels.insert(1, level)
+        weights.insert(0, chosen)
+    levels[0] = plan.level(0, order)
+    found = reweighted(levels[0], base, schedules)
+    weights.insert(0, found.weights)
+    return exact_routing(task, levels, weights, _cost(levels) <= steps)
+
+
+def _local(
+    plan: Plan, depth: int, order: Nodes, base: Floats, low: float
+) -> tuple[Level, Integers]:
+    """Route within the homes of one level, replacing crowded homes by their cells; base grows."""
+    level = plan.level(depth, order)
+    found = reweighted(level, base[level.edges], LOCAL)
+    top = level.largest((base[level.edges] + found.loads) / level.capacity)
+    crowded = top > max(CROWDED * low, USUAL * float(np.quantile(top, 0.9)))
+    if crowded.any():
+        home, cell = plan.partitions[depth : depth + 2]
+        plan.partitions[depth] = numbered(np.where(crowded[home], cell + len(crowded), home))
+        level = plan.level(depth, order)
+        found = reweighted(level, base[level.edges], LOCAL)
+    base[level.edges] += found.loads
+    return level, found.weights
+
+
+def _cost(levels: Sequence[Level]) -> float:
+    """Steps that a certificate costs the checker; infinite if it is too long to be written."""
+    if sum(level.sources * level.n for level in levels) > KEPT:
+        return math.inf
+    return steps_of(levels)
