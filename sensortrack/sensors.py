@@ -1,8 +1,8 @@
-"""What sensors see: local views of one target, and their weighted average."""
+"""What sensors see: local views of one target and their weighted average, or bearings."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -67,6 +67,47 @@ class View:
         return np.concatenate(
             [self.position - self.relative_position, self.velocity - self.relative_velocity]
         )
+
+
+@dataclass(frozen=True)
+class Bearing:
+    """The direction in which one sensor sees the target, in the plane of the inertial frame.
+
+    Parameters
+    ----------
+    sensor : str
+        Its name.
+    angle : float
+        In rad from the first axis towards the second; NaN if the sensor does not see the target.
+    """
+
+    sensor: str
+    angle: float
+
+    @property
+    def seen(self) -> bool:
+        """Whether there is an angle."""
+        return bool(np.isfinite(self.angle))
+
+
+def bearings_to(target: ArrayLike, positions: ArrayLike) -> Floats:
+    """Angles in rad of a target from positions in a plane; NaN for one that the target sits on.
+
+    Parameters
+    ----------
+    target : array (..., 2)
+        In m.
+    positions : array (..., 2)
+        In m; the two are broadcast.
+
+    Returns
+    -------
+    array (...)
+    """
+    apart = np.asarray(target, dtype=float) - np.asarray(positions, dtype=float)
+    angle = np.arctan2(apart[..., 1], apart[..., 0])
+    found: Floats = np.where((apart == 0).all(axis=-1), np.nan, angle)
+    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +185,7 @@ def average(views: Sequence[View], weights: Mapping[str, float]) -> Average:
     ----------
     Sanyal & Eslamiat, (5) to (7); rescaling is what (5) asks for when the set changes.
     """
-    _refuse([view.sensor for view in views], weights)
+    once_each([view.sensor for view in views], weights)
     # summed in the order of the weights: the order of the reports does not change a bit
     place = {name: k for k, name in enumerate(weights)}
     views = sorted(views, key=lambda view: place[view.sensor])
@@ -159,12 +200,19 @@ def average(views: Sequence[View], weights: Mapping[str, float]) -> Average:
     return Average(mean[:3], mean[3:], tuple(view.sensor for view in seeing), skipped)
 
 
-def _refuse(names: Iterable[str], weights: Mapping[str, float]) -> None:
+def once_each(names: Iterable[str], known: Collection[str]) -> None:
+    """Demand that every sensor reports at most once and is known.
+
+    Raises
+    ------
+    InputError
+        With the name ``measurement``.
+    """
     seen: set[str] = set()
     for name in names:
         if name in seen:
             raise InputError("measurement", f"sensor {name} twice", "one view a sensor is needed")
-        if name not in weights:
-            needed = f"one of {', '.join(weights)} is needed"
+        if name not in known:
+            needed = f"one of {', '.join(known)} is needed"
             raise InputError("measurement", f"an unknown sensor {name}", needed)
         seen.add(name)

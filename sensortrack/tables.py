@@ -14,6 +14,8 @@ from sensortrack.errors import InputError
 T = TypeVar("T")
 Vector = tuple[float, float, float]
 """Three numbers."""
+Pair = tuple[str, str]
+"""Two names."""
 
 
 def read_table(cls: type[T], data: object, where: str) -> T:
@@ -23,7 +25,7 @@ def read_table(cls: type[T], data: object, where: str) -> T:
     ----------
     cls : type
         A frozen dataclass whose fields are the keys, annotated ``float``, ``int``, ``str``,
-        ``bool``, `Vector`, or tuples of str.
+        ``bool``, `Vector`, `Pair`, or tuples of str or of `Pair`.
     data : object
         What the file holds at this place.
     where : str
@@ -59,6 +61,12 @@ def _typed(hint: Any, value: Any, where: str) -> Any:
         if not isinstance(value, list) or len(value) != 3:
             raise InputError(where, f"{value!r:.60}", "a list of three numbers is needed")
         return tuple(_number(entry, where) for entry in value)
+    if hint == Pair:
+        return _pair(value, where)
+    if hint == tuple[Pair, ...]:
+        if not isinstance(value, list):
+            raise InputError(where, f"{value!r:.60}", "a list of pairs of texts is needed")
+        return tuple(_pair(entry, where) for entry in value)
     if hint == tuple[str, ...]:
         if not isinstance(value, list) or not all(isinstance(entry, str) for entry in value):
             raise InputError(where, f"{value!r:.60}", "a list of texts is needed")
@@ -68,6 +76,12 @@ def _typed(hint: Any, value: Any, where: str) -> Any:
             raise InputError(where, f"{value!r:.60}", f"{_words(hint)} is needed")
         return value
     return value
+
+
+def _pair(value: object, where: str) -> Pair:
+    if not isinstance(value, list) or len(value) != 2 or not all(isinstance(x, str) for x in value):
+        raise InputError(where, f"{value!r:.60}", "a list of two texts is needed")
+    return (value[0], value[1])
 
 
 def _number(value: object, where: str) -> float:

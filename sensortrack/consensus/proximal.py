@@ -34,26 +34,24 @@ in Python that would take minutes."""
 
 @dataclass(frozen=True, eq=False)
 class Proximal:
-    """A point of the proximal map with what is known about it.
+    """Points of the proximal map with what is known about them.
 
     Parameters
     ----------
-    x : ndarray of float64, shape (n,)
-        The point, by place.
-    flow : ndarray of float64, shape (m,)
+    x : ndarray of float64, shape (K, n)
+        A point in each row, by place.
+    flow : ndarray of float64, shape (K, m)
         Feasible, with x = y - B flow up to rounding.
-    exact : bool
-        The optimality conditions hold up to rounding.
-    error : float
-        Bound of the distance from the exact point: 0 if `exact`.
+    error : ndarray of float64, shape (K,)
+        Bound of the distance from the exact point: 0 where the optimality conditions hold up to
+        rounding.
     iterations : int
-        Dual steps taken.
+        Most dual steps taken for a row.
     """
 
     x: Floats
     flow: Floats
-    exact: bool
-    error: float
+    error: Floats
     iterations: int
 
 
@@ -65,16 +63,16 @@ def proximal(
     tolerance: float = 0.0,
     most: int = 10_000,
 ) -> Proximal:
-    """Evaluate the proximal map of one component.
+    """Evaluate the proximal map of some components.
 
     Parameters
     ----------
     links : Links
-    y : ndarray of float64, shape (n,)
-        By place.
-    capacity : ndarray of float64, shape (m,)
+    y : ndarray of float64, shape (K, n), contiguous
+        A row for each component, by place.
+    capacity : ndarray of float64, shape (K, m), contiguous
         Of each link, not negative.
-    start : ndarray of float64, shape (m,), optional
+    start : ndarray of float64, shape (K, m), optional
         A flow to start from; that of a similar problem saves most of the work.
     tolerance : float, optional
         Distance from the exact point at which to stop.
@@ -90,58 +88,74 @@ def proximal(
     With d = B'x and x = y - B f the duality gap is sum (c |d| - f d). Each of the two objectives
     is off by half of |x - prox|^2 at least, hence |x - prox|^2 <= gap.
 
-    On a forest a dynamic program finds the groups. Elsewhere, as soon as the links that are not
-    saturated make groups of one value each, and a flow through a spanning forest of the groups says
-    that these are optimal, the point is exact.
+    As soon as the links that are not saturated make groups of one value each, and a flow through a
+    spanning forest of the groups says that these are optimal, the point is exact. On small networks
+    maximum flows find such groups, on forests a dynamic program, elsewhere dual ascent.
     """
-    if links.forest is not None:
-        flow = _over_forest(links, links.forest, y, capacity)
-    elif start is None:
-        flow = np.zeros(links.m)
-    else:
-        flow = np.clip(start, -capacity, capacity)
-    grouped = agreed_groups(links, y, capacity, flow)
-    if grouped is not None:
-        return Proximal(*grouped, True, 0.0, 0)
-    if links.n <= SMALL:
-        return _divided(links, y, capacity, 0)
-    return _ascended(Ascent(links, y, capacity, flow), tolerance, most)
+    flow = np.zeros_like(capacity) if start is None else np.clip(start, -capacity, capacity)
+    found, x, sent = agreed_groups(links, y, capacity, flow)
+    error, iterations = np.zeros(len(y)), 0
+    for k in np.flatnonzero(~found):
+        solver = _Row(links, y[k], capacity[k], tolerance, most)
+        x[k], sent[k], error[k], done = solver.run(flow[k])
+        iterations = max(iterations, done)
+    return Proximal(x, sent, error, iterations)
 
 
-def _ascended(ascent: Ascent, tolerance: float, most: int) -> Proximal:
-    """Take dual steps until groups are found or the point is close enough."""
-    links, done = ascent.links, 0
-    given = links, ascent.y, ascent.capacity
-    divisible = links.n <= MEDIUM and kernel("split", native=True).library is not None
-    patience = min(PATIENCE, most) if divisible else most + 1
-    while True:
-        batch = min(max(FIRST_LOOK, done), most - done)
-        ascent.advance(batch)
-        done += batch
-        grouped = agreed_groups(*given, ascent.flow)
-        if grouped is not None:
-            return Proximal(*grouped, True, 0.0, done)
-        if done >= patience:
-            return _divided(*given, done)
-        x, gap = ascent.point()
-        error = float(np.sqrt(gap))
-        if error <= tolerance or done >= most:
-            return Proximal(x, ascent.flow.copy(), False, error, done)
+@dataclass(frozen=True, eq=False)
+class _Row:
+    """The problem of one component."""
 
+    links: Links
+    y: Floats
+    capacity: Floats
+    tolerance: float
+    most: int
 
-def _divided(links: Links, y: Floats, capacity: Floats, done: int) -> Proximal:
-    """The point by maximum flows; groups that differ by rounding only are made one."""
-    x, flow = split(links, y, capacity)
-    grouped = agreed_groups(links, y, capacity, flow)
-    return Proximal(*((x, flow) if grouped is None else grouped), True, 0.0, done)
+    def run(self, flow: Floats) -> tuple[Floats, Floats, float, int]:
+        """Point, flow, bound of the distance, and dual steps taken."""
+        if self.links.n <= SMALL:
+            return *self._divided(), 0.0, 0
+        if self.links.forest is not None:
+            grouped = self._grouped(self._over_forest(self.links.forest))
+            if grouped is not None:
+                return *grouped, 0.0, 0
+        return self._ascended(flow)
 
+    def _grouped(self, flow: Floats) -> tuple[Floats, Floats] | None:
+        found, x, sent = agreed_groups(self.links, self.y[None], self.capacity[None], flow[None])
+        return (x[0], sent[0]) if found[0] else None
 
-def _over_forest(links: Links, forest: Forest, y: Floats, capacity: Floats) -> Floats:
-    """Optimal flow of each link, by the dynamic program."""
-    below = forest.below
-    link = forest.link[below]
-    most = np.zeros(links.n)
-    most[below] = capacity[link]
-    flow = np.empty(links.m)
-    flow[link] = forest.toward * tree_flow(forest, y[forest.order], most)[below]
-    return flow
+    def _divided(self) -> tuple[Floats, Floats]:
+        """By maximum flows; groups that differ by rounding only are made one."""
+        x, flow = split(self.links, self.y, self.capacity)
+        return self._grouped(flow) or (x, flow)
+
+    def _over_forest(self, forest: Forest) -> Floats:
+        """Optimal flow of each link, by the dynamic program."""
+        below = forest.below
+        link = forest.link[below]
+        most = np.zeros(self.links.n)
+        most[below] = self.capacity[link]
+        flow = np.empty(self.links.m)
+        flow[link] = forest.toward * tree_flow(forest, self.y[forest.order], most)[below]
+        return flow
+
+    def _ascended(self, flow: Floats) -> tuple[Floats, Floats, float, int]:
+        """Dual steps until groups are found or the point is close enough."""
+        ascent, done = Ascent(self.links, self.y, self.capacity, flow), 0
+        divisible = self.links.n <= MEDIUM and kernel("split", native=True).library is not None
+        patience = min(PATIENCE, self.most) if divisible else self.most + 1
+        while True:
+            batch = min(max(FIRST_LOOK, done), self.most - done)
+            ascent.advance(batch)
+            done += batch
+            grouped = self._grouped(ascent.flow)
+            if grouped is None and done >= patience:
+                grouped = self._divided()
+            if grouped is not None:
+                return *grouped, 0.0, done
+            x, gap = ascent.point()
+            error = float(np.sqrt(gap))
+            if error <= self.tolerance or done >= self.most:
+                return x, ascent.flow.copy(), error, done

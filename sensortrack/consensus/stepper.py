@@ -245,22 +245,14 @@ class SignConsensus:
         self, state: ConsensusState, signal: Floats, gain: Floats, weights: Floats
     ) -> ConsensusState:
         links = state.links
-        goal = (state.w_rows + signal).T
-        flows = state.flows if state.flows is not None else np.zeros((len(gain), links.m))
-        share = self.tolerance / np.sqrt(len(gain))
-        found = [
-            proximal(links, np.ascontiguousarray(y), factor * weights, flow, share, self.iterations)
-            for y, factor, flow in zip(goal, gain, flows, strict=True)
-        ]
-        status = StepStatus(
-            self.method,
-            all(part.exact for part in found),
-            float(np.sqrt(sum(part.error**2 for part in found))),
-            max(part.iterations for part in found),
-        )
-        x = np.stack([part.x for part in found], axis=1)
-        flows = np.stack([part.flow for part in found])
-        return ConsensusState(links, x - signal, x, status, flows)
+        goal = np.ascontiguousarray((state.w_rows + signal).T)
+        share = self.tolerance / float(np.sqrt(len(gain)))
+        capacity = gain[:, None] * weights
+        found = proximal(links, goal, capacity, state.flows, share, self.iterations)
+        error = float(np.linalg.norm(found.error))
+        status = StepStatus(self.method, error == 0, error, found.iterations)
+        x = np.ascontiguousarray(found.x.T)
+        return ConsensusState(links, x - signal, x, status, found.flow)
 
     def _state(self, links: Links, w: Floats, x: Floats, status: StepStatus) -> ConsensusState:
         return ConsensusState(links, links.packed(w), links.packed(x), status)

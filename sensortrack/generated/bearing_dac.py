@@ -248,11 +248,11 @@ def link(own_: Sequence[float], other_: Sequence[float]) -> tuple[float, ...]:
     (own_P_0, own_P_1, own_q_0, own_q_1,) = own_
     (other_P_0, other_P_1, other_q_0, other_q_1,) = other_
     # sign_P, Algorithm 1, line 9, one link
-    sign_P_0 = float((own_P_0 > other_P_0) - (own_P_0 < other_P_0))
-    sign_P_1 = float((own_P_1 > other_P_1) - (own_P_1 < other_P_1))
+    sign_P_0 = (float(own_P_0 > other_P_0) - float(own_P_0 < other_P_0))
+    sign_P_1 = (float(own_P_1 > other_P_1) - float(own_P_1 < other_P_1))
     # sign_q, Algorithm 1, line 9, one link
-    sign_q_0 = float((own_q_0 > other_q_0) - (own_q_0 < other_q_0))
-    sign_q_1 = float((own_q_1 > other_q_1) - (own_q_1 < other_q_1))
+    sign_q_0 = (float(own_q_0 > other_q_0) - float(own_q_0 < other_q_0))
+    sign_q_1 = (float(own_q_1 > other_q_1) - float(own_q_1 < other_q_1))
     return (
         sign_P_0,
         sign_P_1,

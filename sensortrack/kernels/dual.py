@@ -57,9 +57,10 @@ class Ascent:
             self._in_numpy(count)
             return
         links = self.links
-        arrays = (links.below, links.second, self.y, self.capacity, links.pace)
-        addresses = [array.ctypes.data for array in (*arrays, self._both, self._x, self._speed)]
-        _prepared(self._library, "ascend")(links.n, *addresses, count)
+        arrays = (self.y, self.capacity, links.pace, self._both, self._x, self._speed)
+        addresses = [array.ctypes.data for array in arrays]
+        call = _prepared(self._library, "ascend")
+        call(links.n, *links.addresses[:2], *addresses, count)
 
     def point(self) -> tuple[Floats, float]:
         """x = y - B f and the duality gap there, the sum of c |d| - f d with d = B'x.
@@ -78,8 +79,8 @@ class Ascent:
             size, lost = float(most.sum()), float((most - self.flow * fall).sum())
         else:
             total = ctypes.c_double()
-            arrays = (self.links.below, self.links.second, self.y, self.capacity, self.flow, x)
-            addresses = [array.ctypes.data for array in arrays]
+            arrays = (self.y, self.capacity, self.flow, x)
+            addresses = (*self.links.addresses[:2], *(array.ctypes.data for array in arrays))
             call = _prepared(self._library, "gap")
             lost = call(self.links.n, *addresses, ctypes.byref(total))
             size = total.value

@@ -144,7 +144,7 @@ static int32_t join_equal(struct groups *t)
 }
 
 /* 1 if x is optimal up to rounding and `sent` proves it, else 0. */
-int sensortrack_agreed_groups(struct groups *t)
+static int agreed(struct groups *t)
 {
     const int32_t m = t->below[t->n];
     int32_t i, e, count;
@@ -166,4 +166,20 @@ int sensortrack_agreed_groups(struct groups *t)
             t->sent[e] = t->sent[e] > c ? c : t->sent[e] < -c ? -c : t->sent[e];
         }
     return 1;
+}
+
+/* The same for `count` rows of y, x (n each), capacity, flow and sent (m each). */
+void sensortrack_agreed_groups(struct groups *t, int32_t count, const double *slack, uint8_t *ok)
+{
+    const int32_t n = t->n, m = t->below[t->n];
+    int32_t k;
+    for (k = 0; k < count; k++) {
+        t->slack = slack[k];
+        ok[k] = (uint8_t)agreed(t);
+        t->y += n;
+        t->x += n;
+        t->capacity += m;
+        t->flow += m;
+        t->sent += m;
+    }
 }

@@ -6,6 +6,7 @@ In C or in NumPy with the same bits.
 from __future__ import annotations
 
 import ctypes
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,23 +22,24 @@ ULP = 2.0**-52
 
 def agreed_groups(
     links: Links, y: Floats, capacity: Floats, flow: Floats
-) -> tuple[Floats, Floats] | None:
-    """Exact point of the proximal map, if the unsaturated links tell its groups.
+) -> tuple[NDArray[np.bool_], Floats, Floats]:
+    """Exact points of the proximal map, where the unsaturated links tell their groups.
 
     Parameters
     ----------
     links : Links
-    y : ndarray of float64, shape (n,)
-        By place.
-    capacity, flow : ndarray of float64, shape (m,)
+    y : ndarray of float64, shape (K, n), contiguous
+        A row for each component, by place.
+    capacity, flow : ndarray of float64, shape (K, m), contiguous
         Of each link, |flow| <= capacity.
 
     Returns
     -------
-    x, flow : ndarray of float64, shapes (n,) and (m,)
+    found : ndarray of bool, shape (K,)
+        Whether the other results of a row count.
+    x, flow : ndarray of float64, shapes (K, n) and (K, m)
         The point, one number for each group, and a flow that proves it: up to rounding x = y - B
-        flow, within the capacities, and saturated downhill between groups of different value. None
-        if no such flow was found.
+        flow, within the capacities, and saturated downhill between groups of different value.
 
     Notes
     -----
@@ -46,22 +48,34 @@ def agreed_groups(
     then missing inside a group is sent along a spanning tree. Rounding means 4 sqrt(n) units in the
     last place of the largest |y| plus the largest capacity.
     """
-    largest = float(np.max(np.abs(y))) + float(np.max(capacity, initial=0.0))
-    slack = 4 * ULP * float(np.sqrt(links.n)) * largest
+    largest = np.abs(y).max(axis=1) + capacity.max(axis=1, initial=0.0)
+    slack: Floats = 4 * ULP * float(np.sqrt(links.n)) * largest
+    x, sent, found = np.empty_like(y), np.empty_like(flow), np.zeros(len(y), dtype=np.bool_)
     library = kernel("grouping", native=True).library
     if library is None:
-        return _in_numpy(links, y, capacity, flow, slack)
-    x, sent, inner = np.empty(links.n), np.empty(links.m), np.empty(links.m, dtype=np.uint8)
-    floats, numbers = np.empty((3, links.n)), np.empty((5, links.n), dtype=np.int32)
-    given = (links.below, links.second, links.first, links.index, links.link, y, capacity, flow)
-    made = (x, sent, *floats, *numbers, inner)
+        for k, given in enumerate(zip(y, capacity, flow, slack.tolist(), strict=True)):
+            found[k], x[k], sent[k] = _in_numpy(links, *given)
+        return found, x, sent
+    inner, floats = np.empty(links.m, dtype=np.uint8), np.empty((3, links.n))
+    numbers = np.empty((5, links.n), dtype=np.int32)
     task = _Groups(
         links.n,
-        *(array.ctypes.data for array in given),
-        slack,
-        *(array.ctypes.data for array in made),
+        *links.addresses,
+        *(array.ctypes.data for array in (y, capacity, flow)),
+        0.0,
+        *(array.ctypes.data for array in (x, sent, *floats, *numbers, inner)),
     )
-    return (x, sent) if library.sensortrack_agreed_groups(ctypes.byref(task)) else None
+    rows = (slack.ctypes.data, found.ctypes.data)
+    _prepared(library)(ctypes.byref(task), len(y), *rows)
+    return found, x, sent
+
+
+@cache
+def _prepared(library: ctypes.CDLL) -> ctypes._NamedFuncPointer:
+    function: ctypes._NamedFuncPointer = library.sensortrack_agreed_groups
+    function.argtypes = [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p]
+    function.restype = None
+    return function
 
 
 class _Groups(ctypes.Structure):
@@ -79,7 +93,7 @@ class _Groups(ctypes.Structure):
 
 def _in_numpy(
     links: Links, y: Floats, capacity: Floats, flow: Floats, slack: float
-) -> tuple[Floats, Floats] | None:
+) -> tuple[bool, Floats, Floats]:
     first, second = links.ends[:, 0], links.second
     inner = np.abs(flow) < capacity
     while True:
@@ -94,9 +108,8 @@ def _in_numpy(
     missing = y - x - links.incidence @ flow
     forest = rooted(links.n, links.ends[inner], np.flatnonzero(inner).astype(np.int32))
     sent = flow + _routed(links, forest, missing)
-    if (np.abs(sent) > capacity + slack).any() or (flow * fall < -slack * capacity).any():
-        return None
-    return x, np.clip(sent, -capacity, capacity)
+    held = (np.abs(sent) <= capacity + slack).all() and (flow * fall >= -slack * capacity).all()
+    return bool(held), x, np.clip(sent, -capacity, capacity)
 
 
 def _groups(links: Links, inner: NDArray[np.bool_]) -> NDArray[np.int32]:

@@ -94,6 +94,12 @@ class Links:
         return np.ascontiguousarray(self.ends[:, 1])
 
     @cached_property
+    def addresses(self) -> tuple[int, ...]:
+        """Where `below`, `second`, `first`, `index` and `link` lie in memory."""
+        arrays = (self.below, self.second, self.first, self.index, self.link)
+        return tuple(array.ctypes.data for array in arrays)
+
+    @cached_property
     def slices(self) -> tuple[Int32s, Int32s]:
         """Neighbour lists of eight places side by side, filled up with the place itself."""
         count = -(-self.n // LANES)

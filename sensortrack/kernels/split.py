@@ -60,11 +60,12 @@ def split(links: Links, y: Floats, capacity: Floats) -> tuple[Floats, Floats]:
         np.empty((2, links.n, 2), np.int64),
     )
     numbers = np.empty((6, links.n), dtype=np.int32)
-    given = (links.first, links.index, links.link, y, capacity)
     made = (x, flow, *wide_links, *wide_places, *numbers)
     task = _Split(
         links.n,
-        *(array.ctypes.data for array in given),
+        *links.addresses[2:],
+        y.ctypes.data,
+        capacity.ctypes.data,
         exponent,
         *(array.ctypes.data for array in made),
     )

@@ -28,7 +28,6 @@ struct tree {
     double *high;           /* n: its highest */
     double *sum;            /* n: of the capacities towards the children */
     double *flow;           /* n, result: to the parent */
-    int8_t *side;           /* n: 1 above the parent, -1 below, 0 with it */
     int32_t *top;           /* 2 n: tops of the two heaps of a place */
     struct kink *kink;      /* 2 n */
 };
@@ -113,35 +112,31 @@ static void clip(struct tree *t, int32_t v)
     add(t, v, 2 * v + 1, t->high[v], -fall);
 }
 
+static double between(double low, double value, double high)
+{
+    const double raised = value > low ? value : low;
+    return raised < high ? raised : high;
+}
+
 /* Values from the roots on, then the flow that they ask for: saturated where a place and its parent
  * differ, short of that where they do not. */
 static void settle(struct tree *t)
 {
     int32_t v;
     for (v = 0; v < t->n; v++) {
-        const double above = t->up[v] < 0 ? t->x[v] : t->x[t->up[v]];
         t->flow[v] = 0;
-        t->side[v] = 0;
-        if (t->up[v] < 0)
-            continue;
-        if (above < t->x[v]) {
-            t->side[v] = 1;
-        } else if (above > t->high[v]) {
-            t->x[v] = t->high[v];
-            t->side[v] = -1;
-        } else {
-            t->x[v] = above;
-        }
+        if (t->up[v] >= 0)
+            t->x[v] = between(t->x[v], t->x[t->up[v]], t->high[v]);
     }
     for (v = t->n - 1; v >= 0; v--) {
-        const double c = t->capacity[v], most = c * (1 - 0x1p-52);
         const double rest = t->y[v] - t->x[v] + t->flow[v];
-        if (t->up[v] < 0) {
-            t->flow[v] = 0;
-            continue;
+        t->flow[v] = 0;
+        if (t->up[v] >= 0) {
+            const double above = t->x[t->up[v]], c = t->capacity[v], most = c * (1 - 0x1p-52);
+            const double inner = between(-most, rest, most), outer = t->x[v] > above ? c : -c;
+            t->flow[v] = t->x[v] == above ? inner : outer;
+            t->flow[t->up[v]] += t->flow[v];
         }
-        t->flow[v] = t->side[v] ? t->side[v] * c : rest > most ? most : rest < -most ? -most : rest;
-        t->flow[t->up[v]] += t->flow[v];
     }
 }
 

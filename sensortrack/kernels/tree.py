@@ -43,9 +43,9 @@ def tree_flow(forest: Forest, y: Floats, capacity: Floats) -> Floats:
     n = len(y)
     is_path = bool((forest.up == np.arange(-1, n - 1)).all())
     x, high, total, flow = np.empty((4, n))
-    side, top = np.empty(n, dtype=np.int8), np.empty(0 if is_path else 2 * n, dtype=np.int32)
+    top = np.empty(0 if is_path else 2 * n, dtype=np.int32)
     kinks = np.empty((2 * n, 2 if is_path else 4))
-    arrays = (forest.up, y, capacity, x, high, total, flow, side, top, kinks)
+    arrays = (forest.up, y, capacity, x, high, total, flow, top, kinks)
     task = _Tree(n, *(array.ctypes.data for array in arrays))
     (library.sensortrack_path if is_path else library.sensortrack_tree)(ctypes.byref(task))
     return flow
@@ -57,7 +57,7 @@ class _Tree(ctypes.Structure):
     _fields_ = (
         ("n", ctypes.c_int32),
         *((name, ctypes.c_void_p) for name in ("up", "y", "capacity", "x", "high", "sum")),
-        *((name, ctypes.c_void_p) for name in ("flow", "side", "top", "kink")),
+        *((name, ctypes.c_void_p) for name in ("flow", "top", "kink")),
     )
 
 

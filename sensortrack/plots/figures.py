@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -37,12 +38,22 @@ def save_run(run: Record, folder: Path) -> list[Path]:
     """
     made = []
     with style():
-        for name, draw in FIGURES.items():
+        for name, draw in _chosen(run).items():
             figure = draw(run)
             path = folder / f"{name}.svg"
             figure.savefig(path, metadata=NEVER)
             made.append(path)
     return made
+
+
+def _chosen(run: Record) -> Mapping[str, Callable[[Record], Figure]]:
+    """The figures that say something about a run."""
+    own = next(entry for entry in run["estimates"] if entry["name"] == run["system"])
+    blind = () if np.isfinite(_array(own["velocity"])).any() else VELOCITIES
+    levels = dict.fromkeys(entry["quantity"] for entry in run.get("levels", ()))
+    return {name: draw for name, draw in FIGURES.items() if name not in blind} | {
+        quantity.replace(" ", "_"): partial(_level, quantity=quantity) for quantity in levels
+    }
 
 
 def _axes(**options: Any) -> tuple[Figure, Axes]:
@@ -77,6 +88,9 @@ def seen_from_above(run: Record) -> Figure:
         if estimate["name"] == run["system"]:
             places = _array(estimate["position"])
             axes.plot(places[:, 0], places[:, 1], color=COLOURS["sharp"], lw=1.1, label="estimate")
+    for link in run.get("links", ()):
+        ends = _array([run["sensors"][i]["position"][0] for i in link])
+        axes.plot(ends[:, 0], ends[:, 1], color=COLOURS["rule"], lw=0.6)
     for sensor in run["sensors"]:
         place = _array(sensor["position"])
         axes.plot(place[:, 0], place[:, 1], color=COLOURS["run"], lw=0.7)
@@ -118,9 +132,33 @@ def _beside_bounds(run: Record, what: str, unit: str) -> Figure:
         axes.semilogy(run["time"], known, dash, color=colour, lw=width, label=estimate["label"])
     for bound in run.get("bounds", ()):
         if bound["quantity"] == f"{what} error":
-            axes.semilogy(bound["time"], bound["value"], color=COLOURS["bound"], label="bound")
+            value = _array(bound["value"])
+            axes.semilogy(bound["time"], value, color=COLOURS["bound"], label="bound")
     _events(run, axes)
     axes.set(xlabel="time, s", ylabel=f"{what} error, {unit}")
+    axes.legend(frameon=False, fontsize=7)
+    return figure
+
+
+def _level(run: Record, quantity: str) -> Figure:
+    """How far the sensors are apart, beside the bounds."""
+    figure, axes = _axes()
+    for entry in run["levels"]:
+        if entry["quantity"] != quantity:
+            continue
+        own = entry["of"] == run["system"]
+        size = _array(entry["value"])
+        colour, width = (COLOURS["sharp"], 1.6) if own else (COLOURS["run"], 0.7)
+        known = np.where(size > 0, size, np.nan)
+        axes.semilogy(run["time"], known, color=colour, lw=width, label=entry["label"])
+    for bound in run.get("bounds", ()):
+        if bound["quantity"] == quantity:
+            value = _array(bound["value"])
+            known = np.where(value > 0, value, np.nan)
+            axes.semilogy(bound["time"], known, color=COLOURS["bound"], label=bound["name"])
+    _events(run, axes)
+    unit = next(e["unit"] for e in run["levels"] if e["quantity"] == quantity)
+    axes.set(xlabel="time, s", ylabel=quantity if unit == "1" else f"{quantity}, {unit}")
     axes.legend(frameon=False, fontsize=7)
     return figure
 
@@ -130,6 +168,7 @@ def _events(run: Record, axes: Axes) -> None:
         axes.axvline(event["time"], color=COLOURS["rule"], ls=":", lw=0.9)
 
 
+VELOCITIES = ("velocity_error", "velocity_bound")
 FIGURES: Mapping[str, Callable[[Record], Figure]] = {
     "target_track": track,
     "target_position": lambda run: _parts(run, _array(run["target"]["position"]), "position, m"),

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sensortrack.sensors import View
 
-from .scenario import FaultPart, NoisePart, Scenario, SensorPart
+from .parts import FaultPart, Scenario, SensorPart
+
+if TYPE_CHECKING:
+    from .systems.variational import NoisePart
 
 Floats = NDArray[np.float64]
 
@@ -51,7 +55,7 @@ def _column(
     if scenario.estimator.velocity == "differenced":
         moving = np.vstack([moving[:1], np.diff(seen, axis=0) / scenario.estimator.h_s])
     faults = [fault for fault in scenario.faults if fault.sensor == sensor.name]
-    blind, broken = (_during(faults, kind, time) for kind in ("lost", "nan"))
+    blind, broken = (during(faults, kind, time) for kind in ("lost", "nan"))
     seen, moving = seen.copy(), moving.copy()
     seen[broken], moving[broken] = np.nan, np.nan
     return [
@@ -71,7 +75,8 @@ def _noise(
     return np.zeros(shape)
 
 
-def _during(faults: Sequence[FaultPart], kind: str, time: Floats) -> NDArray[np.bool_]:
+def during(faults: Sequence[FaultPart], kind: str, time: Floats) -> NDArray[np.bool_]:
+    """Samples at which a fault of one kind lasts."""
     hit = np.zeros(len(time), dtype=bool)
     for fault in faults:
         if fault.kind == kind:

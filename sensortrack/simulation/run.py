@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,8 @@ class Run:
     ----------
     name, title, about : str
         Of the scenario.
+    system : str
+        Whose estimator ran.
     digest : str
         Of the generated source that was stepped.
     seed : int
@@ -41,11 +43,14 @@ class Run:
     events : tuple of dict
     summary_from : float
         Time from which errors are summarised.
+    extra : mapping, optional
+        Further entries of ``run.json``.
     """
 
     name: str
     title: str
     about: str
+    system: str
     digest: str
     seed: int
     assumptions: tuple[str, ...]
@@ -58,6 +63,7 @@ class Run:
     events: tuple[dict[str, Any], ...]
     notes: tuple[str, ...]
     summary_from: float
+    extra: Mapping[str, Any] = field(default_factory=dict)
 
     def errors(self, name: str) -> tuple[Floats, Floats]:
         """Norms of the position error in m and the velocity error in m/s of an estimate."""
@@ -70,7 +76,7 @@ class Run:
 
     @property
     def summary(self) -> list[dict[str, Any]]:
-        """Root-mean-square errors of each estimate."""
+        """Root-mean-square errors of each estimate; None where it is never known."""
         counted = self.time >= self.summary_from
         rows = []
         for name in self.estimates:
@@ -92,7 +98,7 @@ class Run:
             "name": self.name,
             "title": self.title,
             "about": self.about,
-            "system": "variational",
+            "system": self.system,
             "digest": self.digest,
             "seed": self.seed,
             "assumptions": list(self.assumptions),
@@ -114,6 +120,7 @@ class Run:
             "events": list(self.events),
             "summary": self.summary,
             "notes": list(self.notes),
+            **self.extra,
         }
 
     def tracks_csv(self) -> str:
@@ -138,9 +145,9 @@ class Run:
         return _csv(("time_s", "estimate", "position_error_m", "velocity_error_mps"), rows)
 
 
-def _rms(values: Floats) -> float:
+def _rms(values: Floats) -> float | None:
     known = values[np.isfinite(values)]
-    return float(np.sqrt(np.mean(known**2))) if known.size else float("nan")
+    return float(np.sqrt(np.mean(known**2))) if known.size else None
 
 
 def _rows(values: Floats) -> list[list[float | None]]:

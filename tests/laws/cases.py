@@ -2,13 +2,15 @@
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from sensortrack.estimators.bearing_dac import BearingDac
 from sensortrack.estimators.variational import Variational
-from sensortrack.sensors import View
+from sensortrack.networks import Network
+from sensortrack.sensors import Bearing, View, bearings_to
 
 
 @dataclass(frozen=True)
@@ -19,18 +21,30 @@ class EstimatorCase:
     ----------
     draw : callable
         ``draw(rng)`` returns the estimator and a list of samples, each a list of views.
+    motion : callable
+        ``motion(rng)`` draws a motion of the frame that the system says it follows.
     moved : callable
-        ``moved(views, rotation, shift, boost, time)``, the same seen from a moved frame.
+        ``moved(views, motion, time)``, the same seen from the moved frame.
+    placed : callable
+        ``placed(estimator, motion)``, the estimator whose fixed sensors are moved.
+    results : callable
+        ``results(state, moved_state, motion, time)``, pairs of arrays that must be equal.
     renamed : callable
         ``renamed(estimator, samples, names)``, with other names of the sensors.
     blinded : callable
         ``blinded(view, rng)``, what a sensor reports that does not see the target.
+    rounding : float, optional
+        Relative error that moved results may have.
     """
 
     draw: Callable[[np.random.Generator], tuple[Any, list[list[Any]]]]
+    motion: Callable[[np.random.Generator], Any]
     moved: Callable[..., list[Any]]
+    placed: Callable[..., Any]
+    results: Callable[..., list[tuple[Any, Any]]]
     renamed: Callable[..., tuple[Any, list[list[Any]]]]
     blinded: Callable[..., Any]
+    rounding: float = 1e-9
 
 
 def _draw(rng):
@@ -43,8 +57,14 @@ def _draw(rng):
     return estimator, samples
 
 
-def _moved(views, rotation, shift, boost, time):
+def _motion(rng):
+    """A turn, a shift, and a constant velocity."""
+    return (np.linalg.qr(rng.normal(size=(3, 3)))[0], *rng.normal(size=(2, 3)))
+
+
+def _moved(views, motion, time):
     """Positions are turned and shifted, relative ones turned; velocities gain the boost."""
+    rotation, shift, boost = motion
     return [
         View(
             view.sensor,
@@ -75,7 +95,75 @@ def _blinded(view, rng):
     return View(view.sensor, *rng.normal(size=(2, 3)), np.full(3, np.nan), rng.normal(size=3))
 
 
-ESTIMATORS = {"variational": EstimatorCase(_draw, _moved, _renamed, _blinded)}
+def _results(one, other, motion, time):
+    rotation, shift, boost = motion
+    place = rotation @ one.position + shift + boost * time
+    return [(place, other.position), (rotation @ one.velocity + boost, other.velocity)]
+
+
+NETWORK = Network(list("abcde"), np.array([[0, 1], [1, 2], [1, 3], [3, 4], [0, 4]]))
+
+
+def _draw_bearings(rng):
+    """Isotropic signs, so that turned axes do not matter; noisy bearings of a target that moves."""
+    places = dict(zip("abcde", rng.normal(scale=9.0, size=(5, 2)), strict=True))
+    estimator = BearingDac(NETWORK, places, 2.0, 20.0, 0.1, sign="isotropic", det_min=0.01)
+    start, rate = rng.normal(size=(2, 2))
+    samples = [
+        [
+            Bearing(name, float(bearings_to(start + k * 0.1 * rate, place)) + 0.01 * rng.normal())
+            for name, place in places.items()
+        ]
+        for k in range(6)
+    ]
+    return estimator, samples
+
+
+def _turned_bearing(views, angle, time):
+    return [Bearing(view.sensor, view.angle + angle) for view in views]
+
+
+def _turn_of(angle):
+    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+
+def _placed_bearings(estimator, angle):
+    places = {name: _turn_of(angle) @ place for name, place in estimator.positions.items()}
+    return replace(estimator, positions=places)
+
+
+def _bearing_results(one, other, angle, time):
+    return [(one.positions @ _turn_of(angle).T, other.positions), (one.known, other.known)]
+
+
+def _renamed_bearings(estimator, samples, names):
+    network = Network([names[name] for name in estimator.names], estimator.network.edges)
+    places = {names[name]: place for name, place in estimator.positions.items()}
+    turned = [[Bearing(names[view.sensor], view.angle) for view in views] for views in samples]
+    return replace(estimator, network=network, positions=places), turned
+
+
+ESTIMATORS = {
+    "bearing_dac": EstimatorCase(
+        _draw_bearings,
+        lambda rng: rng.uniform(0, 2 * np.pi),
+        _turned_bearing,
+        _placed_bearings,
+        _bearing_results,
+        _renamed_bearings,
+        lambda view, _: Bearing(view.sensor, np.nan),
+        1e-5,  # the tolerance of a step, over the least det P_x
+    ),
+    "variational": EstimatorCase(
+        _draw,
+        _motion,
+        _moved,
+        lambda estimator, _: estimator,
+        _results,
+        _renamed,
+        _blinded,
+    ),
+}
 
 
 @dataclass(frozen=True)

@@ -35,7 +35,7 @@ PLAIN = Style(
         decimal,
         CALLS
         | {
-            "sgn": "float(({0} > {1}) - ({0} < {1}))",
+            "sgn": "(float({0} > {1}) - float({0} < {1}))",
             "select": "({2} if {0} > {1} else {3})",
         },
     ),

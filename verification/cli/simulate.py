@@ -101,19 +101,25 @@ def lines_of(data: dict[str, Any]) -> list[str]:
     labels = {entry["name"]: entry["label"] for entry in data["estimates"]}
     lines = [f"{data['title']}, seed {data['seed']}", ""]
     since = f"rms from {data['summary'][0]['from']:g} s"
-    lines.append(f"{since:<24}  position, m  velocity, m/s")
+    width = max(22, *(len(labels[row["estimate"]]) for row in data["summary"]))
+    lines.append(f"{since:<{width + 2}}  position, m  velocity, m/s")
     for row in data["summary"]:
-        numbers = f"{row['position_rms']:>11.5g}  {row['velocity_rms']:>13.5g}"
-        lines.append(f"  {labels[row['estimate']]:<22}  {numbers}")
+        numbers = f"{_number(row['position_rms']):>11}  {_number(row['velocity_rms']):>13}"
+        lines.append(f"  {labels[row['estimate']]:<{width}}  {numbers}")
     lines += [""] if data["bounds"] else []
+    names = max([16, *(len(bound["name"]) for bound in data["bounds"])])
     for bound in data["bounds"]:
         held = "held" if bound["holds"] else "CROSSED"
         reached = f"reached {100 * bound['reached']:.3g} %"
-        lines.append(f"  bound, {bound['name']:<16}  {held}, {reached}")
+        lines.append(f"  bound, {bound['name']:<{names}}  {held}, {reached}")
     lines += [""] if data["events"] or data["notes"] else []
     lines += [f"  {event['time']:g} s: {event['text']}" for event in data["events"]]
     lines += [f"  note: {note}" for note in data["notes"]]
     return lines
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else f"{value:.5g}"
 
 
 def _command(options: argparse.Namespace) -> str:

@@ -39,8 +39,8 @@ from .rationals import nearest
 Key = TypeVar("Key", bound=Hashable)
 Point = tuple[Fraction, ...]
 End = tuple[Fraction, tuple["Group", ...]]
-Phase = tuple[Fraction, Numbers]
-"""How long a disturbance lasts, and its value at each node."""
+Phase = tuple[Fraction, Numbers] | tuple[Fraction, Numbers, Network]
+"""How long it lasts, the disturbance at each node, and the links meanwhile if they are others."""
 
 LONGEST = 10**6
 """Nodes of all the sets that are solved, one after the other."""
@@ -65,11 +65,14 @@ class Piece:
         u, one number a node.
     signs : tuple of Fraction
         The selection of the edges' signs, from -1 to 1.
+    network : Network
+        Whose edges these are.
     """
 
     duration: Fraction
     disturbance: Point
     signs: Point
+    network: Network
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,8 +160,9 @@ def filippov_run(
         Gain, positive.
     x0 : sequence of Fraction, length n
         Projected to mean zero in each component.
-    phases : iterable of (Fraction, sequence of Fraction), optional
-        Durations and constant disturbances, one after the other. Without them there is no
+    phases : iterable of (Fraction, sequence of Fraction) or with a Network, optional
+        Durations and constant disturbances, one after the other, each with its own links between
+        the same nodes if these switch: M still belongs to `network`. Without phases there is no
         disturbance, and the run ends when the last component has come to agree.
     longest : int, optional
         Nodes of all the sets that may be solved, one after the other.
@@ -176,10 +180,11 @@ def filippov_run(
     pieces: list[Piece] = []
     ends: list[End] = []
     zero = (Fraction(0),) * network.n
-    for duration, u in [(None, zero)] if phases is None else phases:
-        motion = _Motion(network, beta, x, u, longest)
+    for duration, u, *others in [(None, zero)] if phases is None else phases:
+        (links,) = others or (network,)
+        motion = _Motion(links, beta, x, centred(network, u), longest)
         for span, end, signs in motion.events(duration):
-            pieces.append(Piece(span, tuple(u), signs))
+            pieces.append(Piece(span, tuple(u), signs, links))
             ends.append(end)
         longest = motion.left
         x = _point(*ends[-1]) if ends else x
@@ -196,7 +201,7 @@ class _Motion:
     """The motion under one disturbance; velocities are counted in multiples of 1/unit."""
 
     def __init__(
-        self, network: Network, beta: Fraction, x: Numbers, u: Numbers, longest: int
+        self, network: Network, beta: Fraction, x: Numbers, push: Numbers, longest: int
     ) -> None:
         self.left = longest
         self.edges: list[list[int]] = network.edges.tolist()
@@ -204,7 +209,7 @@ class _Motion:
         for e, ends in enumerate(self.edges):
             for i in ends:
                 self.near[i].append(e)
-        capacities, push = [beta * w for w in weights_of(network)], centred(network, u)
+        capacities = [beta * w for w in weights_of(network)]
         self.unit = math.lcm(*(v.denominator for v in (*capacities, *push)))
         self.capacity = [int(c * self.unit) for c in capacities]
         self.push = [int(v * self.unit) for v in push]

@@ -14,6 +14,10 @@ from .records import Record, digits
 
 Floats = NDArray[np.float64]
 PARTS = ("x", "y", "z")
+MANY_PIECES = 20
+"""An estimate that comes and goes more often is drawn as dots."""
+DECADES, ALL_DECADES = 6, 18
+"""Below the largest value; all that doubles tell apart where agreement is exact."""
 
 
 def figures(run: Record) -> tuple[tuple[str, Plot], ...]:
@@ -24,12 +28,21 @@ def figures(run: Record) -> tuple[tuple[str, Plot], ...]:
     run : dict
         Content of ``run.json``.
     """
+    levels = dict.fromkeys(entry["quantity"] for entry in run.get("levels", ()))
+    moving = [("velocity-error", _errors(run, "velocity"))] if _has_velocity(run) else []
     return (
         ("tracks", _tracks(run)),
         ("position-error", _errors(run, "position")),
-        ("velocity-error", _errors(run, "velocity")),
+        *moving,
+        *((quantity.replace(" ", "-"), level_plot(run, quantity)) for quantity in levels),
         ("components", _components(run)),
     )
+
+
+def _has_velocity(run: Record) -> bool:
+    """Whether the system estimates velocities at all."""
+    own = next(entry for entry in run["estimates"] if entry["name"] == run["system"])
+    return bool(np.isfinite(np.array(own["velocity"], dtype=float)).any())
 
 
 def errors(run: Record, estimate: Record, what: str) -> Floats:
@@ -42,13 +55,16 @@ def _tracks(run: Record) -> Plot:
     """The plane in which most happens, with equal axes."""
     target = np.array(run["target"]["position"], dtype=float)
     curves = [_curve("target", target, "target")]
-    roles = {"variational": "sharp"}
     for estimate in run["estimates"]:
-        role = roles.get(estimate["name"])
-        if role:
+        if estimate["name"] == run["system"]:
             places = np.array(estimate["position"], dtype=float)
-            curves.append(_curve(role, places, estimate["label"]))
+            known = np.isfinite(places).all(axis=1)
+            curves.append(_curve("sharp", places[known], estimate["label"]))
     sensors = [np.array(sensor["position"], dtype=float) for sensor in run["sensors"]]
+    curves += [
+        _curve("guide", np.stack([sensors[i][0], sensors[j][0]]), "")
+        for i, j in run.get("links", ())
+    ]
     shown = [target[:, :2], *(places[:, :2] for places in sensors)]
     (low_x, high_x), (low_y, high_y) = (extent([s[:, k] for s in shown]) for k in (0, 1))
     dots = [
@@ -58,7 +74,8 @@ def _tracks(run: Record) -> Plot:
     return Plot(
         title=f"{run['title']}: tracks seen from above",
         finding="The dotted line is the target, the solid one the estimate; dots are sensors.",
-        caption="Seen from above: target dotted, estimate solid, sensors where they start.",
+        caption="Seen from above: target dotted, estimate solid, sensors where they start."
+        + (" Links between sensors are thin." if run.get("links") else ""),
         x=Axis("x", "m", low_x, high_x),
         y=Axis("y", "m", low_y, high_y),
         curves=tuple(curves),
@@ -74,21 +91,25 @@ def _curve(role: str, places: Floats, label: str) -> Curve:
 def _errors(run: Record, what: str) -> Plot:
     """Errors of all estimates, the proved bounds above them, events as guides."""
     time = np.array(run["time"], dtype=float)
-    curves = []
+    curves: list[Curve] = []
+    dots: list[Dots] = []
     for estimate in run["estimates"]:
         role = "sharp" if estimate["name"] == run["system"] else "run"
         level = errors(run, estimate, what)
-        curves.append(Curve(role, tuple(time.tolist()), _listed(level), estimate["label"]))
+        parts = pieces(role, time, level, estimate["label"])
+        if len(parts) > MANY_PIECES:
+            known = np.isfinite(level)
+            label = estimate["label"]
+            dots.append(Dots("failed", _listed(time[known]), _listed(level[known]), label))
+        else:
+            curves += parts
     bounds = [entry for entry in run.get("bounds", ()) if entry["quantity"] == f"{what} error"]
     for entry in bounds:
         values = np.array(entry["value"], dtype=float)
-        curves.append(Curve("bound", tuple(entry["time"]), _listed(values), entry["name"]))
-    low, high = _positive(curves)
-    curves += [
-        Curve("guide", (event["time"],) * 2, (low, high))
-        for event in run.get("events", ())
-        if time[0] < event["time"] < time[-1]
-    ]
+        curves += pieces("bound", np.array(entry["time"]), values, entry["name"])
+    decades = DECADES if "levels" not in run else ALL_DECADES
+    low, high = _positive([*curves, *dots], decades)
+    curves += events_in(run, low, high)
     unit = "m" if what == "position" else "m/s"
     return Plot(
         title=f"{run['title']}: {what} error over time",
@@ -97,6 +118,57 @@ def _errors(run: Record, what: str) -> Plot:
         x=Axis("time", "s", float(time[0]), float(time[-1])),
         y=Axis(f"{what} error", unit, low, high, log=True),
         curves=tuple(curves),
+        dots=tuple(dots),
+    )
+
+
+def pieces(role: str, x: Floats, y: Floats, label: str) -> list[Curve]:
+    """A curve where it is known: one piece a stretch, the label on the last."""
+    known = np.isfinite(y)
+    starts = np.flatnonzero(known & ~np.r_[False, known[:-1]])
+    ends = np.flatnonzero(known & ~np.r_[known[1:], False]) + 1
+    return [
+        Curve(role, _listed(x[i:j]), _listed(y[i:j]), label if j == ends[-1] else "")
+        for i, j in zip(starts, ends, strict=True)
+    ]
+
+
+def events_in(run: Record, low: float, high: float) -> list[Curve]:
+    """Events within the run as lines for the eye."""
+    time = run["time"]
+    return [
+        Curve("guide", (event["time"],) * 2, (low, high))
+        for event in run.get("events", ())
+        if time[0] < event["time"] < time[-1]
+    ]
+
+
+def level_plot(run: Record, quantity: str) -> Plot:
+    """How far the sensors are apart: the system, its distributed baselines, the bounds."""
+    time = np.array(run["time"], dtype=float)
+    levels = [entry for entry in run["levels"] if entry["quantity"] == quantity]
+    bounds = [entry for entry in run.get("bounds", ()) if entry["quantity"] == quantity]
+    sizes = np.concatenate([np.array(entry["value"], dtype=float) for entry in levels])
+    high = float(sizes.max()) * 3 or 1.0
+    low = high * 10.0**-ALL_DECADES
+    curves = []
+    for entry in levels:
+        role = "sharp" if entry["of"] == run["system"] else "run"
+        shown = np.maximum(np.array(entry["value"], dtype=float), low)
+        curves += pieces(role, time, shown, entry["label"])
+    for entry in bounds:
+        shown = np.maximum(np.array(entry["value"], dtype=float), low)
+        curves += pieces("bound", np.array(entry["time"]), shown, entry["name"])
+    held = all(entry["holds"] for entry in bounds)
+    said = "below its proved bound" if held else "above a bound, whose assumption is broken"
+    finding = f"The {quantity} of the sensors stays {said}." if bounds else f"The {quantity}."
+    return Plot(
+        title=f"{run['title']}: {quantity} over time",
+        finding=finding,
+        caption=f"{finding} Norm over the sensors, largest entry; what is 0 lies at the bottom.",
+        x=Axis("time", "s", float(time[0]), float(time[-1])),
+        y=Axis(quantity, levels[0]["unit"].replace("1", ""), low, high, log=True),
+        curves=(*curves, *events_in(run, low, high)),
     )
 
 
@@ -114,11 +186,15 @@ def _components(run: Record) -> Plot:
     """Position errors of the system's estimate, by coordinate."""
     time = tuple(run["time"])
     own = next(entry for entry in run["estimates"] if entry["name"] == run["system"])
-    error = np.array(own["position"]) - np.array(run["target"]["position"])
-    low, high = extent([error])
+    truth = np.array(run["target"]["position"], dtype=float)
+    error = np.array(own["position"], dtype=float) - truth
+    error = error[:, : run.get("coordinates", error.shape[1])]
+    shown = error[np.array(time) >= run["summary"][0]["from"]] if "levels" in run else error
+    low, high = extent([shown])
     curves = [
-        Curve(role, time, _listed(error[:, k]), f"{PARTS[k]} error")
+        curve
         for k, role in zip(range(error.shape[1]), ("sharp", "bound", "printed"), strict=False)
+        for curve in pieces(role, np.array(time), error[:, k], f"{PARTS[k]} error")
     ]
     return Plot(
         title=f"{run['title']}: components of the position error",
@@ -134,11 +210,11 @@ def _listed(values: Floats) -> tuple[float, ...]:
     return tuple(float(v) for v in values)
 
 
-def _positive(curves: Sequence[Curve]) -> tuple[float, float]:
-    """Ends of a logarithmic axis: at most six decades below the largest value."""
+def _positive(curves: Sequence[Curve | Dots], decades: int) -> tuple[float, float]:
+    """Ends of a logarithmic axis: at most some decades below the largest value."""
     values = np.concatenate([np.array(curve.y) for curve in curves])
     values = values[np.isfinite(values) & (values > 0)]
     if not values.size:
         return 0.1, 1.0
     high = float(values.max()) * 1.5
-    return max(float(values.min()) * 0.7, high * 1e-6), high
+    return max(float(values.min()) * 0.7, high * 10.0**-decades), high

@@ -32,7 +32,7 @@ def run_page(run: Record) -> str:
 def run_headline(run: Record) -> str:
     """The result of a run in one sentence."""
     own = next(row for row in run["summary"] if row["estimate"] == run["system"])
-    rms = f"{digits(own['position_rms'])} m rms"
+    rms = f"{digits(own['position_rms'])} m rms" if own["position_rms"] is not None else "unknown"
     bounds = run.get("bounds", [])
     if not bounds:
         return f"{run['title']}: position error {rms}"

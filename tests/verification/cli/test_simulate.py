@@ -106,6 +106,49 @@ def test_bad_input_is_refused_by_name(tmp_path, capsys, arguments, name):
     assert not (tmp_path / "o").exists()
 
 
+BEARINGS = """
+title = "Bearings"
+about = "A line."
+duration_s = 0.6
+[target]
+kind = "line"
+start_m = [0.0, 5.0, 0.0]
+velocity_mps = [4.0, 1.0, 0.0]
+[placement]
+kind = "ring"
+count = 5
+size_m = 50.0
+[network]
+family = "cycle:5"
+[[outage]]
+link = ["1", "2"]
+from_s = 0.3
+[estimator]
+system = "bearing_dac"
+beta_P = 20.0
+beta_q = 1000.0
+h_s = 0.02
+"""
+
+
+def test_bearings_have_their_own_figures_and_no_number_where_there_is_none(tmp_path, capsys):
+    path, out = tmp_path / "bearings.toml", tmp_path / "out"
+    path.write_text(BEARINGS)
+    assert main(["simulate", str(path), "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert said.count("held, reached") == 3
+    assert "link between 1 and 2 carries nothing" in said
+    assert "nan" not in said
+    names = {figure.stem for figure in (out / "figures").glob("*.svg")}
+    assert {"tracks", "disagreement_on_P", "disagreement_on_q", "position_bound"} <= names
+    assert "velocity_error" not in names
+    page = (out / "report.html").read_text()
+    assert "figure-disagreement-on-q" in page
+    assert "figure-velocity-error" not in page
+    assert "nan" not in page.replace("nance", "")
+    assert "NaN" not in (out / "run.json").read_text()
+
+
 @pytest.mark.parametrize("name", [n for n in shipped_scenarios() if n.startswith("solent")])
 def test_every_bound_is_on_the_right_side_of_a_recorded_track(tmp_path, name):
     out = tmp_path / "out"

@@ -52,7 +52,8 @@ def assert_solves(network, beta, run):
     for piece, (x, y) in zip(run.pieces, pairwise(run.points), strict=True):
         moved = [a + piece.duration * u for a, u in zip(x, piece.disturbance, strict=True)]
         moved = centred(network, moved)
-        edges = zip(network.edges.tolist(), weights_of(network), piece.signs, strict=True)
+        links = piece.network
+        edges = zip(links.edges.tolist(), weights_of(links), piece.signs, strict=True)
         for (i, j), w, sign in edges:
             assert abs(sign) <= 1
             assert all(sign * (z[i] - z[j]) == abs(z[i] - z[j]) for z in (x, y))
@@ -191,6 +192,73 @@ def test_the_settling_time_is_attained_on_the_ray_of_the_slowest_cut(case, lengt
     run = filippov_run(network, beta, x0, [(long_enough, u)])
     assert run.agreement**2 * rate_squared == square(run.points[0])
     assert not any(run.points[-1])
+
+
+def test_neighbours_that_move_together_may_part_again():
+    """The first and the fourth node meet at 1 and part at 7/5, when the others' pull has grown."""
+    edges = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [3, 4]])
+    network = Network(list("abcde"), edges)
+    run = filippov_run(network, Fraction(1), [Fraction(v) for v in (1, 4, 6, 0, 4)])
+    assert_solves(network, Fraction(1), run)
+    gaps = [run.at(time)[0] - run.at(time)[3] for time in (1, Fraction(6, 5), Fraction(7, 5), 2)]
+    assert gaps[:3] == [0, 0, 0]
+    assert gaps[3] > 0
+    assert abs(run.pieces[1].signs[2]) < 1 == run.pieces[2].signs[2]
+    assert run.agreement == Fraction(11, 5)
+
+
+@st.composite
+def switched(draw):
+    """Networks on the same nodes, a gain above all their thresholds, and the smallest rate."""
+    n = draw(st.integers(2, 6))
+    members = [draw(connected_networks(n, n, weighted=True)) for _ in range(3)]
+    gamma = [draw(rationals(0, 2, 3)) for _ in range(n)]
+    beta = max(threshold(member, gamma).value for member in members) + draw(GAINS)
+    start = [Fraction(1), *[Fraction(0)] * (n - 1)]
+    worst = max(slowest(member, gamma, beta, start).value for member in members)
+    phases = [
+        (Fraction(1, 4), [draw(st.fractions(-g, g, max_denominator=3)) for g in gamma], member)
+        for member in members * 2
+    ]
+    run = filippov_run(members[0], beta, numbers(draw, n), phases)
+    return members[0], beta, run, square(centred(members[0], start)) / worst
+
+
+@given(switched())
+@FEW
+def test_while_links_switch_the_error_falls_at_the_smallest_rate(case):
+    network, beta, run, rate_squared = case
+    assert_solves(network, beta, run)
+    for piece, (x, y) in zip(run.pieces, pairwise(run.points), strict=True):
+        before, after, share = square(x), square(y), piece.duration**2 * rate_squared
+        slack = before + share - after
+        assert after == 0 if before <= share else slack >= 0
+        assert before <= share or slack**2 >= 4 * before * share
+
+
+def test_without_links_the_error_grows_as_fast_as_it_can_and_is_recovered_after():
+    """By 2 tau sqrt(floor(n^2/4)/n), and back within that over the rate."""
+    path = read_network("path:4")
+    silent = Network(path.names, np.empty((0, 2), dtype=np.int64))
+    zero, tau, beta = [Fraction(0)] * 4, Fraction(3, 2), Fraction(3)
+    halves = push(path, {0, 1}, 1)
+    outage = [(tau, halves, silent), (Fraction(9), halves)]
+    run = filippov_run(path, beta, zero, outage)
+    assert run.points[1] == (tau, tau, -tau, -tau)
+    back = next(t for t, x in zip(run.times[1:], run.points[1:], strict=True) if not any(x))
+    found = slowest(path, [Fraction(1)] * 4, beta, run.points[1])
+    assert (back - tau) ** 2 == found.value
+
+
+def test_links_that_join_all_only_in_turn_do_not_keep_agreement():
+    path = read_network("path:3")
+    one, other = (Network(path.names, path.edges[k : k + 1]) for k in range(2))
+    u, short = push(path, {0}, 1), Fraction(1, 10)
+    phases = [(short, u, links) for links in (one, other) * 4]
+    run = filippov_run(path, Fraction(100), [Fraction(0)] * 3, phases)
+    late = run.points[2:]
+    assert all(any(x) for x in late)
+    assert_solves(path, Fraction(100), run)
 
 
 def push(network, cut, gamma):

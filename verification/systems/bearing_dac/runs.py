@@ -11,12 +11,14 @@ from sensortrack.errors import InputError
 from sensortrack.networks import Network
 from verification.answers import Answer
 from verification.certificates.make import CertificateError, certificate
+from verification.exact.cut_components import spread
 from verification.exact.cuts import CutBracket, slowest
 from verification.exact.filippov import LongRunError, Run, filippov_run
 from verification.exact.prox import weights_of
 from verification.exact.rationals import above, below, nearest, root
 
 from .brackets import NO_WITNESS, OPEN, SYSTEM, TOO_LONG
+from .gains import reaches_printed_gain
 from .network_inputs import (
     Numbers,
     bounds_of,
@@ -27,7 +29,7 @@ from .network_inputs import (
     node_data,
     pieces,
 )
-from .rates import LONGEST
+from .rates import LONGEST, printed_time
 
 LARGEST = 20_000
 """Nodes and edges of a network whose run is followed."""
@@ -48,12 +50,17 @@ def disagreement_time(values: Mapping[str, Any]) -> Answer:
     Returns
     -------
     Answer
-        Rational, with a certificate where one is short enough.
+        Rational, with a certificate where one is short enough, beside the printed time if the
+        gain is at least the printed one.
 
     Raises
     ------
     InputError
         The network has no edge, or beta <= 0.
+
+    References
+    ----------
+    George, Theorem 1.
     """
     network, beta = network_of(values), gain_of(values)
     x0: Numbers = values["x0"]
@@ -72,9 +79,18 @@ def disagreement_time(values: Mapping[str, Any]) -> Answer:
             SYSTEM, "disagreement_time", inputs, [trajectory(run)], lower=time, upper=time
         )
     except CertificateError as error:
-        return Answer(nearest(time), exact, notes=(*notes, f"no certificate: {error}"))
+        notes = (*notes, f"no certificate: {error}")
+        return Answer(nearest(time), exact, printed=_printed(network, beta, x0), notes=notes)
     ends = below(time), above(time) or 0.0  # no negative zero
-    return Answer(nearest(time), exact, *ends, None, "PROVED", document, None, notes)
+    printed = _printed(network, beta, x0)
+    return Answer(nearest(time), exact, *ends, printed, "PROVED", document, None, notes)
+
+
+def _printed(network: Network, beta: Fraction, x0: Numbers) -> float | None:
+    """The printed time, where Theorem 1 promises it."""
+    if not reaches_printed_gain(network, (Fraction(0),) * network.n, beta):
+        return None
+    return printed_time(network, [spread([x0[i] for i in nodes]) for nodes in pieces(network)])
 
 
 def trajectory(run: Run) -> dict[str, Any]:

@@ -42,6 +42,14 @@ def test_the_time_of_agreement_is_rational_and_certified():
     assert exactly(moved) == Fraction(9, 4)
 
 
+def test_the_printed_time_stands_beside_it_from_the_printed_gain_on():
+    four = ask("disagreement_time", "complete:4", beta=1, x0=[3, -1, -1, -1])
+    assert four.value == 1.0
+    assert four.printed == pytest.approx(math.sqrt(12) / 4)
+    assert four.printed < four.value
+    assert ask("disagreement_time", "complete:4", beta="99/100", x0=[1, 0, 0, 0]).printed is None
+
+
 def test_the_slowest_component_counts():
     answer = ask("disagreement_time", two_pieces(), beta=2, x0=[5, 5, 5, 1, 0, 99])
     assert exactly(answer) == Fraction(5, 2)  # the link of weight 1/10
