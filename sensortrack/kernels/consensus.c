@@ -17,10 +17,20 @@
 #endif
 
 #define LANES 8
+#define AHEAD 12 /* places by which rows are asked for that lie in no order */
 
 static const double *row_of(const double *r, const int32_t *place, ptrdiff_t i, ptrdiff_t width)
 {
     return r + width * (place ? place[i] : i);
+}
+
+static void fetch(const double *row)
+{
+#ifdef __GNUC__
+    __builtin_prefetch(row);
+#else
+    (void)row;
+#endif
 }
 
 #ifdef __AVX512F__
@@ -122,6 +132,8 @@ void sensortrack_sign_rows(int32_t from, int32_t to, int32_t width, const int32_
     ptrdiff_t i, column;
     for (i = from; i < to; i++) {
         const double *given = row_of(r, place, i, width);
+        if (place && i + AHEAD < to)
+            fetch(row_of(r, place, i + AHEAD, width));
         if (weight) {
             weighted(i, width, first, index, weight, x, w, given, c, w_out, x_out);
             continue;
