@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
@@ -15,6 +16,8 @@ WIDTH, HEIGHT = 480, 320
 LEFT, RIGHT, TOP, BOTTOM = 52, 468, 28, 272
 APART = 15.0
 MOST_DOTS = 150
+DIGIT = 8.0
+"""Width of a character of a tick, at most."""
 
 
 def plot(figure: Plot, name: str) -> Element:
@@ -27,6 +30,7 @@ def plot(figure: Plot, name: str) -> Element:
         Unique on the page; ids of title and description are made of it.
     """
     x, y = _scales(figure)
+    overhang = _overhang(y)
     clip = f"{name}-clip"
     frame = el("rect", x=LEFT, y=TOP, width=RIGHT - LEFT, height=BOTTOM - TOP)
     return el(
@@ -38,7 +42,7 @@ def plot(figure: Plot, name: str) -> Element:
         _axes(figure, x, y),
         [_dots(dots, x, y) for dots in figure.dots],
         _labels(figure, x, y),
-        viewBox=f"0 0 {WIDTH} {HEIGHT}",
+        viewBox=f"{-overhang} 0 {WIDTH + overhang} {HEIGHT}",
         role="img",
         aria_labelledby=f"{name}-t {name}-d",
         class_="fig",
@@ -74,6 +78,12 @@ def _axes(figure: Plot, x: Scale, y: Scale) -> list[Element]:
     made.append(_text(_named(figure.x), RIGHT, BOTTOM + 40, "al", "end"))
     made.append(_text(_named(figure.y), 4, 14, "al", "start"))
     return made
+
+
+def _overhang(y: Scale) -> int:
+    """How far the longest label of the vertical axis would stick out on the left."""
+    longest = max((len(number(value)) for value in ticks(y.axis)), default=0)
+    return max(0, math.ceil(longest * DIGIT) - (LEFT - 8))
 
 
 def _named(axis: Axis) -> str:

@@ -5,8 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verification.figure import Axis
+from verification.figure import Axis, Plot
 from verification.report.axes import TOLERANCE, Scale, number, path, simplified, ticks
+from verification.report.plots import DIGIT, LEFT, plot
 
 ends = st.floats(-1e6, 1e6)
 
@@ -68,3 +69,12 @@ def test_a_simplified_line_leaves_no_point_farther_than_the_tolerance(seed):
 def test_a_straight_line_of_many_points_becomes_two():
     x = np.linspace(0, 400, 1000)
     assert path(x, 2 * x).count("L") == 1
+
+
+@pytest.mark.parametrize("top", [1.0, 4e-14, 123456.0])
+def test_no_label_of_the_vertical_axis_is_cut_off(top):
+    figure = Plot("t", "finding", "caption", Axis("x", "", 0, 1), Axis("y", "", -top, top))
+    left = float(dict(plot(figure, "p").attributes)["viewBox"].split()[0])
+    labels = [number(value) for value in ticks(figure.y)]
+    assert left <= LEFT - 8 - max(map(len, labels)) * DIGIT
+    assert left <= 0
