@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from sensortrack.networks import Network
 
 Rows = tuple[tuple[Fraction, ...], ...]
+ALL_LINKS = "all"
+"""Stands for one list with all links of the graph."""
+
 LONGEST = 60
 """Characters of a user's text that an error repeats."""
 
@@ -198,6 +201,61 @@ def _points(name: str, given: object) -> tuple[tuple[Fraction, ...], ...]:
     return tuple(_point(f"{name}[{i}]", value) for i, value in enumerate(given))
 
 
+def _links(name: str, given: object) -> str | tuple[tuple[tuple[str, str], ...], ...]:
+    """Lists of links by the names of their ends; the text ``all`` for those of the graph."""
+    if given == ALL_LINKS:
+        return ALL_LINKS
+    needed = 'lists of links are needed, as in [[["a", "b"], ["b", "c"]], [["a", "c"]]]'
+    if not isinstance(given, list) or not given:
+        raise InputError(name, shown(given), needed)
+    for k, entry in enumerate(given, start=1):
+        if not isinstance(entry, list):
+            raise InputError(name, f"list {k} is {shown(entry)}", needed)
+        for i, link in enumerate(entry, start=1):
+            plain = isinstance(link, list) and len(link) == 2
+            if not plain or any(isinstance(end, (list, dict, bool)) or end is None for end in link):
+                found = f"link {i} of list {k} is {shown(link)}"
+                raise InputError(name, found, "two names of nodes are needed")
+    return tuple(tuple((str(a), str(b)) for a, b in entry) for entry in given)
+
+
+def _links_of_graph(name: str, data: Any, setting: Setting) -> tuple[tuple[int, ...], ...]:
+    """Places in the graph's edge list, a tuple for each list of links."""
+    network = setting.network
+    if network is None:
+        raise InputError("graph", "not given", f"{name} are links of --graph")
+    if data == ALL_LINKS:
+        return (tuple(range(network.m)),)
+    number = {node: i for i, node in enumerate(network.names)}
+    place = {edge: k for k, edge in enumerate(map(tuple, network.edges.tolist()))}
+    lists = []
+    for k, entry in enumerate(data, start=1):
+        places = [_place(name, link, number, place, network) for link in entry]
+        if len(set(places)) < len(places):
+            raise InputError(name, f"list {k} has a link twice", "each link once is needed")
+        lists.append(tuple(sorted(places)))
+    return tuple(lists)
+
+
+def _place(
+    name: str,
+    link: tuple[str, str],
+    number: Mapping[str, int],
+    place: Mapping[tuple[int, ...], int],
+    network: Network,
+) -> int:
+    for node in link:
+        if node not in number:
+            needed = f"names of {network.label or 'the graph'}'s nodes are needed"
+            hint = nearest(node, network.names[:1000])
+            raise InputError(name, f"no node is called {shown(node)}", needed, hint)
+    ends = tuple(sorted(number[node] for node in link))
+    if ends not in place:
+        found = f"{shown(list(link))} is no link of {network.label or 'the graph'}"
+        raise InputError(name, found, "links of --graph, which has all that may hold, are needed")
+    return place[ends]
+
+
 def _as_read(_: str, data: Any, __: Setting) -> Any:
     return data
 
@@ -209,5 +267,6 @@ KINDS: Mapping[str, Kind] = {
     "vector": Kind("a number or a list of numbers", _vector, _coordinates),
     "point": Kind("a list of two numbers", _point, _as_read),
     "points": Kind("a list of lists of two numbers", _points, _as_read),
+    "links": Kind("lists of links [a, b]", _links, _links_of_graph),
     "node numbers": Kind("a number, a list or {node: number}", _node_numbers, _by_node),
 }

@@ -109,6 +109,10 @@ def _value_lines(document: Mapping[str, Any]) -> list[str]:
     if document["lower"] is not None and document["upper"] is not None:
         ends = f"{_digits(document['lower'])} … {_digits(document['upper'])}"
         lines.append(_line("bracket", f"{ends} (certified)"))
+    elif document["lower"] is not None:
+        lines.append(_line("at least", _digits(document["lower"])))
+    elif document["upper"] is not None:
+        lines.append(_line("at most", _digits(document["upper"])))
     if printed is not None:
         lines.append(_line("printed", _digits(printed) + _ratio(printed, value)))
     return lines

@@ -151,6 +151,16 @@ EXPLICIT = [
     ("bearing_dac.gain", {"graph": PATH, "gamma": "1/2", "beta": "4/3"}, [cuts(TREE)], {}),
     ("bearing_dac.gain", {"graph": PATH, "gamma": "1/2", "beta": "1"},
      [{"kind": "cut", "nodes": [2]}], {"case": "REFUTED"}),
+    *((f"bearing_dac.{name}_threshold", inputs, witness, ends)
+      for name in ("switching", "node_loss")
+      for inputs, witness, ends in (
+          ({"graph": APART, "gamma": "1"}, [cuts(TREE, TREE), CUT], {"lower": "1", "upper": "1"}),
+          ({"graph": APART, "gamma": ["0", "0", "1"]}, [{"kind": "vector", "x": [1, 1, -2]}],
+           {"case": "INFINITE", "lower": "inf", "upper": "inf"}))),
+    ("bearing_dac.entry_gains",
+     {"graph": PATH, "gamma_P": "1/2", "gamma_q": ["1", "0", "2/3"],
+      "lower_P": "4/3", "upper_P": "4/3", "lower_q": "14/9", "upper_q": "14/9"},
+     [cuts(TREE), {"kind": "cut", "nodes": [2]}] * 2, {}),
     ("bearing_dac.theorem_1_gain", PUSHED, [run(("5", ["4", "-4"], ["1"])), CUT],
      {"case": "REFUTED"}),
     ("bearing_dac.theorem_1_time", SLOWED, [run(("3", ["0", "0"], ["1"])), cuts(TREE)],

@@ -63,6 +63,24 @@ def gain_threshold(entry):
     return lower <= worst <= upper
 
 
+def family(entry):
+    """Threshold of the networks that are a graph's components, or one that is not connected."""
+    if entry["lower"] != "inf":
+        return gain_threshold(entry)
+    graph, gamma = entry["inputs"]["graph"], entry["inputs"]["gamma"]
+    apart = len(component(graph, 0)) < len(graph["nodes"])
+    return apart and any(spread_over(graph, gamma))
+
+
+def entry_gains(entry):
+    for name in "Pq":
+        ends = (Fraction(entry["inputs"][f"{end}_{name}"]) for end in ("lower", "upper"))
+        worst = threshold(entry["inputs"]["graph"], entry["inputs"][f"gamma_{name}"])
+        if not next(ends) <= worst <= next(ends):
+            return False
+    return True
+
+
 def gain(entry):
     worst = threshold(entry["inputs"]["graph"], entry["inputs"]["gamma"])
     kept = worst is None or Fraction(entry["inputs"]["beta"]) >= worst
@@ -132,6 +150,9 @@ def step_limit(entry):
 TRUTHS = {
     "gain_threshold": gain_threshold,
     "gain": gain,
+    "switching_threshold": family,
+    "node_loss_threshold": family,
+    "entry_gains": entry_gains,
     "disagreement_time": disagreement_time,
     "implicit_steps": implicit_steps,
     "algebraic_connectivity": algebraic_connectivity,

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from verification.answers import Condition, Input, Quantity
 
+from .entry_gains import entry_gains
 from .gains import decide_gain, gain_threshold, printed_threshold
+from .outages import outage_growth
 from .rates import (
     algebraic_connectivity,
     margin_rate_squared,
@@ -12,6 +14,7 @@ from .rates import (
     settling_time,
 )
 from .runs import chattering_bound, disagreement_time, implicit_steps
+from .switching import node_loss_threshold, switching_threshold
 
 GRAPH = Input("graph", "graph", "communication network; edge weights scale the signs")
 GAMMA = Input(
@@ -20,6 +23,19 @@ GAMMA = Input(
 BETA = Input("beta", "number", "gain, above 0", "c/s")
 X0 = Input("x0", "node numbers", "error at the start, one number a node", "c")
 H = Input("h", "number", "length of a step, above 0", "s")
+
+LINKS = Input(
+    "links",
+    "links",
+    "lists of the links that hold together, all of them links of the graph",
+    "",
+    "all",
+)
+DROP = Input("drop", "number", "links that may be lost at the same time", "", "0")
+TAU = Input("tau", "number", "length of an outage, at least 0", "s")
+V_MAX = Input("v_max", "number", "largest speed of the target, at least 0", "m/s")
+RHO_MIN = Input("rho_min", "number", "smallest distance of the target from a sensor", "m")
+POSITIONS = Input("positions", "points", "where the sensors are, one point a node", "m")
 
 QUANTITIES = (
     Quantity(
@@ -78,6 +94,34 @@ QUANTITIES = (
         (GRAPH, GAMMA, BETA, H),
         chattering_bound,
         False,
+    ),
+    Quantity(
+        "switching_threshold",
+        "smallest beta that keeps agreement while links switch or are lost, however fast",
+        (GRAPH, GAMMA, LINKS, DROP),
+        switching_threshold,
+        True,
+    ),
+    Quantity(
+        "node_loss_threshold",
+        "smallest beta that keeps agreement among the others whichever agent is lost",
+        (GRAPH, GAMMA),
+        node_loss_threshold,
+        True,
+    ),
+    Quantity(
+        "outage_growth",
+        "most that |x| can grow while links are down for the time tau",
+        (GRAPH, GAMMA, TAU),
+        outage_growth,
+        False,
+    ),
+    Quantity(
+        "entry_gains",
+        "[beta_P, beta_q]: smallest gains for the entries of P and for those of q",
+        (GRAPH, V_MAX, RHO_MIN, POSITIONS),
+        entry_gains,
+        True,
     ),
 )
 

@@ -14,7 +14,6 @@ from verification.certificates.make import CertificateError, certificate
 from verification.exact.cut_components import spread
 from verification.exact.cuts import CutBracket, margin, slowest
 from verification.exact.rationals import nearest
-from verification.exact.roots import Algebraic, root_between
 from verification.exact.spectral_gap import (
     Gap,
     NoBracketError,
@@ -22,6 +21,7 @@ from verification.exact.spectral_gap import (
     connectivity_value,
     exact_connectivity,
 )
+from verification.exact.square_roots import exact_square_root, square_root_beside
 
 from .brackets import SYSTEM, answer
 from .critical import explained
@@ -156,8 +156,8 @@ def settling_time(values: Mapping[str, Any]) -> Answer:
     printed = None
     if reaches_printed_gain(network, gamma, beta):
         printed = printed_time(network, [spread([x0[i] for i in n]) for n in pieces(network)])
-    ends = _root(found.lower, down=True), _root(found.upper, down=False)
-    exact = _exact_root(found.value)
+    ends = square_root_beside(found.lower, down=True), square_root_beside(found.upper, down=False)
+    exact = exact_square_root(found.value)
     shown = answer(
         "settling_time",
         inputs,
@@ -180,32 +180,6 @@ def _never(inputs: dict[str, Any], found: CutBracket, notes: tuple[str, ...]) ->
     return Answer(
         math.inf, None, math.inf, math.inf, None, "PROVED", document, None, (*notes, reason)
     )
-
-
-def _root(square: Fraction | None, down: bool) -> Fraction | None:
-    """A double next to the square root, on the side that is asked for."""
-    if square is None:
-        return None
-    shift = 2 ** max(0, 128 - square.numerator.bit_length() + square.denominator.bit_length())
-    guess = nearest(Fraction(math.isqrt(square.numerator * shift**2 // square.denominator), shift))
-    if down:
-        while Fraction(guess) ** 2 > square:
-            guess = math.nextafter(guess, 0.0)
-    else:
-        while Fraction(guess) ** 2 < square:
-            guess = math.nextafter(guess, math.inf)
-    return Fraction(guess)
-
-
-def _exact_root(square: Fraction | None) -> Algebraic | None:
-    """The square root as an algebraic number."""
-    if square is None:
-        return None
-    if square == 0:
-        return Algebraic((0, 1), Fraction(0), Fraction(0), 0.0)
-    low, high = (_root(square, down) or Fraction(0) for down in (True, False))
-    polynomial = (-square.numerator, 0, square.denominator)
-    return root_between(polynomial, low * Fraction(999, 1000), high * Fraction(1001, 1000))
 
 
 def printed_settling_time(values: Mapping[str, Any]) -> Answer:
@@ -245,5 +219,5 @@ def printed_time(network: Network, squares: Sequence[Fraction]) -> float | None:
         lam = connectivity_value(network.subnetwork(nodes))
         if not lam:
             return None
-        times.append(nearest(_root(square, down=True) or Fraction(0)) / lam)
+        times.append(nearest(square_root_beside(square, down=True) or Fraction(0)) / lam)
     return max(times)

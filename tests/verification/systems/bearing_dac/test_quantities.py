@@ -41,7 +41,8 @@ def two_pieces() -> Network:
 
 
 def test_the_names_are_those_that_users_were_promised() -> None:
-    assert {quantity.name: quantity.certified for quantity in QUANTITIES} == {
+    offered = {quantity.name: quantity.certified for quantity in QUANTITIES}
+    promised = {
         "gain_threshold": True,
         "margin_rate_squared": True,
         "algebraic_connectivity": True,
@@ -52,6 +53,7 @@ def test_the_names_are_those_that_users_were_promised() -> None:
         "implicit_steps": True,
         "chattering_bound": False,
     }
+    assert promised.items() <= offered.items()
     assert [condition.name for condition in CONDITIONS] == ["gain"]
 
 
