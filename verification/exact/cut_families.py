@@ -66,7 +66,7 @@ def worst_threshold(
     worst = _Worst(Fraction(0), parts[0], (0,))
     for part in parts:
         worst = worst.beside(part, _bad_cut(part, budget))
-    items: list[Item] = []
+    items: list[Item | None] = []
     upper: Fraction | None = Fraction(0)
     for part in parts:
         shown = refute_or_show(part.task, part.task.gain_hurdle(worst.value), budget)
