@@ -16,7 +16,7 @@ class Input:
     name : str
         Name as typed after ``--set`` (``graph`` means ``--graph``).
     kind : str
-        ``matrix``, ``number``, ``node numbers`` or ``graph``.
+        ``matrix``, ``number``, ``point``, ``points``, ``node numbers`` or ``graph``.
     meaning : str
         One phrase for lists and error messages.
     unit : str, optional

@@ -76,6 +76,12 @@ def _noise(noise: NoisePart, seed: int, sensor: str, count: int) -> Floats:
     return np.zeros(count)
 
 
+def sigma_of(noise: NoisePart) -> float:
+    """Standard deviation of each bearing in rad."""
+    spread = {"none": 0.0, "gaussian": 1.0, "uniform": 1 / np.sqrt(3)}[noise.kind]
+    return float(spread * np.deg2rad(noise.bearing_deg))
+
+
 def estimator_of(scenario: Scenario, network: Network, law: str = "bearing_dac") -> BearingDac:
     """The estimator of a scenario, or one of its distributed baselines.
 

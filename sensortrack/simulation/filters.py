@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from sensortrack.estimators.bearing_filters import BearingKalman, BearingKalmanState, intersect
 
-from .bearings import places
+from .bearings import places, sigma_of
 from .parts import Scenario
 
 Floats = NDArray[np.float64]
@@ -24,8 +24,7 @@ def met(scenario: Scenario, angles: Floats) -> Floats:
 
 def filtered(scenario: Scenario, angles: Floats) -> tuple[Floats, Floats]:
     """Positions and velocities of the filter, which knows the size of the noise."""
-    noise, spread = scenario.noise, 1 / np.sqrt(3) if scenario.noise.kind == "uniform" else 1.0
-    sigma = max(spread * np.deg2rad(noise.bearing_deg), SMALLEST_SIGMA)
+    sigma = max(sigma_of(scenario.noise), SMALLEST_SIGMA)
     header = scenario.header
     kalman = BearingKalman(
         places(scenario), scenario.estimator.h_s, header.kalman_acceleration, sigma

@@ -9,8 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sensortrack.estimators.bearing_noise import covariance
 from sensortrack.kernels.steppers import stepper
-from sensortrack.simulation.bearings import EstimatorPart, NoisePart, estimator_of, seen_by
+from sensortrack.simulation.bearings import (
+    EstimatorPart,
+    NoisePart,
+    estimator_of,
+    places,
+    seen_by,
+    sigma_of,
+)
 from sensortrack.simulation.consensus_run import Follower, Trace
 from sensortrack.simulation.filters import filtered, met
 from sensortrack.simulation.links import DropoutPart, OutagePart, carrying, outage_events
@@ -96,8 +104,7 @@ def check(scenario: Scenario) -> None:
 
 def _network(scenario: Scenario) -> Any:
     names = tuple(sensor.name for sensor in scenario.sensors)
-    places = np.array([sensor.position_m[:2] for sensor in scenario.sensors])
-    return network_of(scenario.parts["network"], names, places)
+    return network_of(scenario.parts["network"], names, places(scenario))
 
 
 def run(scenario: Scenario, seed: int, time: Floats, target: tuple[Floats, Floats]) -> Found:
@@ -129,7 +136,7 @@ def run(scenario: Scenario, seed: int, time: Floats, target: tuple[Floats, Float
         estimates=_distributed(traces, shown) | _central(scenario, seen),
         labels={name: _label(name, names[shown]) for name in LABELS},
         parameters=_parameters(scenario, network),
-        notes=merged(own.notes),
+        notes=(*merged(own.notes), *_expected(scenario, time, path[0][:, :2], seen)),
         events=(*outage_events(scenario), *_milestones(own, time)),
         extra=_extra(network, traces, path[0]),
     )
@@ -166,6 +173,22 @@ def _central(scenario: Scenario, angles: Floats) -> dict[str, tuple[Floats, Floa
         place, rate = filtered(scenario, angles)
         made["ekf"] = (_placed(place), _placed(rate))
     return made
+
+
+def _expected(scenario: Scenario, time: Floats, target: Floats, seen: Floats) -> tuple[str, ...]:
+    """Error that noise alone gives least squares, as a note, if there is noise."""
+    sigma = sigma_of(scenario.noise)
+    counted = time >= scenario.header.summary_from_s
+    if sigma == 0 or not counted.any():
+        return ()
+    flat = places(scenario)
+    traces = [
+        np.trace(covariance(flat[good], place, sigma))
+        for place, good in zip(target[counted], np.isfinite(seen[counted]), strict=True)
+        if good.sum() > 1
+    ]
+    size = f"{np.sqrt(np.mean(traces)):.4g} m rms" if traces else "unknown"
+    return (f"noise alone gives least squares {size} to first order",)
 
 
 def _flat(rows: Floats) -> Floats:

@@ -6,6 +6,7 @@ from verification.answers import Condition, Input, Quantity
 
 from .entry_gains import entry_gains
 from .gains import decide_gain, gain_threshold, printed_threshold
+from .noise import noise_bias, noise_covariance, noise_cramer_rao
 from .outages import outage_growth
 from .rates import (
     algebraic_connectivity,
@@ -23,6 +24,11 @@ GAMMA = Input(
 BETA = Input("beta", "number", "gain, above 0", "c/s")
 X0 = Input("x0", "node numbers", "error at the start, one number a node", "c")
 H = Input("h", "number", "length of a step, above 0", "s")
+SENSORS = Input("positions", "points", "positions of the sensors", "m")
+TARGET = Input("target", "point", "position of the target", "m")
+SIGMA = Input(
+    "sigma_bearing_rad", "number", "standard deviation of each bearing, at least 0", "rad"
+)
 
 LINKS = Input(
     "links",
@@ -122,6 +128,27 @@ QUANTITIES = (
         (GRAPH, V_MAX, RHO_MIN, POSITIONS),
         entry_gains,
         True,
+    ),
+    Quantity(
+        "noise_bias",
+        "error left by averaging P and q over many noisy bearings, [x, y] in m",
+        (SENSORS, TARGET, SIGMA),
+        noise_bias,
+        False,
+    ),
+    Quantity(
+        "noise_covariance",
+        "covariance of the position from one bearing a sensor, first order, [xx, xy, yy] in m^2",
+        (SENSORS, TARGET, SIGMA),
+        noise_covariance,
+        False,
+    ),
+    Quantity(
+        "noise_cramer_rao",
+        "smallest covariance of an unbiased position from the same, [xx, xy, yy] in m^2",
+        (SENSORS, TARGET, SIGMA),
+        noise_cramer_rao,
+        False,
     ),
 )
 
