@@ -119,7 +119,7 @@ def _value_lines(document: Mapping[str, Any]) -> list[str]:
 
 
 def _line(label: str, text: str) -> str:
-    return f"  {label:<{LABEL}}{text}"
+    return f"  {label:<{LABEL - 1}} {text}"
 
 
 def _short(value: Any) -> str:

@@ -22,6 +22,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sensortrack.consensus import chatter_bound
+from sensortrack.kernels.links import links_of
+from sensortrack.networks import Network
+
 from .cut_profiles import Profile, profile_of
 
 Floats = NDArray[np.float64]
@@ -42,7 +46,8 @@ def envelopes(run: Mapping[str, Any]) -> list[dict[str, Any]]:
     Returns
     -------
     list of dict
-        Entries of ``bounds``: the disagreement on P, on q in m, and the position error in m.
+        Entries of ``bounds``: the disagreement on P, on q in m, and the position error in m; the
+        disagreement of explicit steps, if they ran beside.
         Empty where the signs are not taken entry by entry in implicit steps.
     """
     parameters, record = run["parameters"], run["consensus"]
@@ -57,7 +62,7 @@ def envelopes(run: Mapping[str, Any]) -> list[dict[str, Any]]:
         level, high = apart[:, columns].max(axis=1), bound[:, columns].max(axis=1)
         words = f"{STEPS}{_from_zero(run, ideal[:, columns])}{_printed(run, apart[0, columns])}"
         made.append(_entry(run, f"disagreement on {block}", unit, high, level, words))
-    return [*made, *_position(run, bound)]
+    return [*made, *_position(run, bound), *_chatter(run)]
 
 
 def _from_zero(run: Mapping[str, Any], bound: Floats) -> str:
@@ -79,6 +84,10 @@ def _printed(run: Mapping[str, Any], start: Floats) -> str:
     return f", printed for {float(start.max()) / profile.gap:.4g} s"
 
 
+CHATTERS = (
+    "whatever explicit steps start from, they end within max(h sqrt(Q), h Q/(2 r)) and stay there, "
+    "Q bounding the square of what one step moves"
+)
 STEPS = (
     "step by step, from the links, the sensors and the largest move of a signal of that step: the "
     "disagreement falls by h times the least of (beta k - 2 gamma p)/sqrt(p) over the cuts"
@@ -136,6 +145,33 @@ def _profiles(run: Mapping[str, Any]) -> list[Profile]:
             known[graph, since] = profile_of(present, links[record["graphs"][graph]])
         found.append(known[graph, since])
     return found
+
+
+def _chatter(run: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Bounds on the explicit steps beside, where the links and sensors stay."""
+    record, h = run["consensus"], float(run["parameters"]["h"])
+    levels = [entry for entry in run["levels"] if entry["of"] == "explicit"]
+    if not levels or len(record["graphs"]) > 1 or len(record["present"]) > 1:
+        return []
+    profile = _profiles(run)[0]
+    beta, moved = (np.array(record[key], dtype=float) for key in ("beta", "moved"))
+    gamma = moved.max(axis=0) / h
+    rates = profile.rate(beta, gamma)
+    edges = np.array(run["links"], dtype=int).reshape(-1, 2)
+    links = links_of(Network([str(i) for i in range(profile.n)], edges))
+    ends = [
+        chatter_bound(links, np.array([b]), h, float(g), max(float(r), 0.0))[0]
+        for b, g, r in zip(beta, gamma, rates, strict=True)
+    ]
+    made = []
+    for entry, (block, unit, columns) in zip(levels, _blocks(record["entries"]), strict=True):
+        level = np.array(entry["value"], dtype=float)
+        bound = np.full(len(level), max(float(level[0]), *ends[columns])) * (1 + ROUNDING)
+        if np.isfinite(bound).all():
+            found = _entry(run, f"disagreement on {block}", unit, bound, level, CHATTERS)
+            name = f"chattering of explicit steps, {block}"
+            made.append(found | {"of": "explicit", "name": name})
+    return made
 
 
 def _position(run: Mapping[str, Any], bound: Floats) -> list[dict[str, Any]]:

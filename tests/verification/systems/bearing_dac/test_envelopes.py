@@ -99,6 +99,19 @@ def test_every_bound_holds_through_noise_dropouts_and_comings_and_goings(changes
     held(ran(*changes, (("baselines",), ["least_squares"])))
 
 
+def test_explicit_steps_stay_within_their_chattering_bound():
+    data = ran((("baselines",), ["explicit"]))
+    found = [bound for bound in envelopes(data) if bound["of"] == "explicit"]
+    assert [bound["unit"] for bound in found] == ["1", "m"]
+    for bound in found:
+        assert bound["holds"]
+        assert 0.05 < bound["reached"] < 1
+    outage = (("outage",), [{"link": ["a", "b"], "from_s": 0.2}])
+    assert all(
+        b["of"] != "explicit" for b in envelopes(ran((("baselines",), ["explicit"]), outage))
+    )
+
+
 def test_a_gain_below_the_moves_of_the_signals_proves_no_agreement():
     slow = [(("estimator", "beta_q"), 1.0), (("estimator", "beta_P"), 0.01)]
     found = held(ran(*slow, (("baselines",), ["least_squares"])))
