@@ -1,4 +1,7 @@
-"""Derive identities by replacing words: every hypothesis names the word that it does away with."""
+"""Derive identities by replacing words: every hypothesis names the word that it does away with.
+
+A word is letters, powers of scalars or both, like ``a' b``, ``s**2`` or ``r e' k``.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from .identities import Identity, Square, Term, Zero, identity
-from .noncommuting import Form
+from .noncommuting import Form, Key
 
 LIMIT = 2_000
 
@@ -15,7 +18,7 @@ LIMIT = 2_000
 class Rule(NamedTuple):
     """A word, the hypothesis that contains it, and the word's coefficient there."""
 
-    word: tuple[str, ...]
+    word: Key
     relation: int
     transposed: bool
     coefficient: Fraction
@@ -28,7 +31,8 @@ def rules(relations: Sequence[Form], words: Mapping[int, str]) -> tuple[Rule, ..
     ----------
     relations : sequence of Form
     words : mapping of int to str
-        Number of the hypothesis to a blank-separated word that occurs in it, like ``"a' b"``.
+        Number of the hypothesis to a blank-separated word that occurs in it, like ``"a' b"``;
+        powers of scalars come first, like ``"s**2"``.
 
     Returns
     -------
@@ -39,20 +43,28 @@ def rules(relations: Sequence[Form], words: Mapping[int, str]) -> tuple[Rule, ..
     ValueError
         The word does not occur by itself in the hypothesis.
     """
-    found: dict[tuple[str, ...], Rule] = {}
+    found: dict[Key, Rule] = {}
     for k, text in words.items():
-        word = tuple(text.split())
-        coefficient = relations[k].terms.get(((), word))
-        if coefficient is None:
+        matching = [key for key in relations[k].terms if _text(key) == text]
+        if not matching:
             raise ValueError(f"words: {text!r} does not occur in {relations[k]}; it has to")
+        (word,) = matching
+        coefficient = relations[k].terms[word]
         flipped = _flipped(word, relations[k])
         found.setdefault(word, Rule(word, k, False, coefficient))
         found.setdefault(flipped, Rule(flipped, k, True, coefficient))
     return tuple(found.values())
 
 
-def _flipped(word: tuple[str, ...], relation: Form) -> tuple[str, ...]:
-    ((_, transposed),) = Form({((), word): Fraction(1)}, relation.symmetric).T.terms
+def _text(key: Key) -> str:
+    """A word as it is written in `rules`."""
+    powers, word = key
+    factors = [name if power == 1 else f"{name}**{power}" for name, power in powers]
+    return " ".join([*factors, *word])
+
+
+def _flipped(word: Key, relation: Form) -> Key:
+    (transposed,) = Form({word: Fraction(1)}, relation.symmetric).T.terms
     return transposed
 
 
@@ -92,10 +104,16 @@ def _first(form: Form, known: Sequence[Rule]) -> Term | None:
     """The first place where a rule fits, as the multiple of its hypothesis to take away."""
     for (scalars, word), a in form.terms.items():
         for rule in known:
-            n = len(rule.word)
+            powers, part = rule.word
+            rest = dict(scalars)
+            if any(rest.get(name, 0) < power for name, power in powers):
+                continue
+            rest |= {name: rest[name] - power for name, power in powers}
+            left_over = tuple((name, power) for name, power in rest.items() if power)
+            n = len(part)
             for i in range(len(word) - n + 1):
-                if word[i : i + n] == rule.word:
-                    left = Form({(scalars, word[:i]): a / rule.coefficient}, form.symmetric)
+                if word[i : i + n] == part:
+                    left = Form({(left_over, word[:i]): a / rule.coefficient}, form.symmetric)
                     right = Form({((), word[i + n :]): Fraction(1)}, form.symmetric)
                     return Term(left, rule.relation, right, rule.transposed)
     return None

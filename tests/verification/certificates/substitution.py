@@ -20,7 +20,7 @@ LETTERS = {
 """Symbols for statements made up in tests."""
 
 
-SIZES = {"n": 3, "m": 4, "k": 6, "N": 5, "N1": 2, "N2": 6, "1": 1}
+SIZES = {"2": 2, "n": 3, "m": 4, "k": 6, "N": 5, "N1": 2, "N2": 6, "1": 1}
 
 
 def values(symbols, seed):

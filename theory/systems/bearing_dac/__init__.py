@@ -1,5 +1,6 @@
 """Bearing sensors with consensus: the model, its claims, and what certificates prove."""
 
+from .claim_statements import STATEMENTS as CLAIM_STATEMENTS
 from .lemma_statements import LEMMA_STATEMENTS
 from .model import SYSTEM
 from .network_statements import NETWORK_STATEMENTS
@@ -11,6 +12,7 @@ STATEMENTS = (
     *RUN_STATEMENTS,
     *NETWORK_STATEMENTS,
     *LEMMA_STATEMENTS,
+    *CLAIM_STATEMENTS,
 )
 
 __all__ = ["STATEMENTS", "SYSTEM"]

@@ -6,8 +6,6 @@ goals of a certificate are those of the algebra.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-
 from ...algebra.graphs import (
     balanced,
     directed_triangle,
@@ -17,6 +15,7 @@ from ...algebra.graphs import (
 )
 from ...algebra.identities import Identity
 from ...statements import Case, Statement
+from .universal import Universal, needed
 
 PATHS = (
     "paths: in a connected graph the difference of any two nodes is a sum of differences along "
@@ -27,11 +26,11 @@ RANGE = (
     "graph's Laplacian are the constants, so that M = LV for some V"
 )
 
-BALANCED: tuple[Identity, ...] = balanced()
-TRIANGLE: tuple[Identity, ...] = directed_triangle()
-EIGENVALUES: tuple[Identity, ...] = (eigenvalues(),)
-MOORE_PENROSE: tuple[Identity, ...] = pseudo_inverse()
-GENERALIZED: tuple[Identity, ...] = generalized_inverse()
+BALANCED: tuple[Identity, ...] = needed(balanced())
+TRIANGLE: tuple[Identity, ...] = needed(directed_triangle())
+EIGENVALUES: tuple[Identity, ...] = needed((eigenvalues(),))
+MOORE_PENROSE: tuple[Identity, ...] = needed(pseudo_inverse())
+GENERALIZED: tuple[Identity, ...] = needed(generalized_inverse())
 
 ARCS = {
     "O": "matrix: n m",
@@ -54,47 +53,8 @@ LINKS = {
 """Symbols of an undirected graph, with X and Z for the inverses of L and of B'B."""
 
 
-def universal(
-    name: str,
-    words: str,
-    identities: Sequence[Identity],
-    symbols: Mapping[str, str],
-    relies_on: tuple[str, ...] = (),
-    verdict: str = "PROVED",
-) -> Statement:
-    """Statement that identities prove for matrices of every size.
-
-    Parameters
-    ----------
-    name : str
-        Name of the claim, or of its repair.
-    words : str
-        What is proved.
-    identities : sequence of Identity
-        They share their hypotheses.
-    symbols : mapping of str to str
-        Kinds of the letters and scalars.
-    relies_on : tuple of str, optional
-    verdict : str, optional
-
-    Returns
-    -------
-    Statement
-    """
-    (given,) = {tuple(str(form) for form in entry.relations) for entry in identities}
-    show = tuple(entry.predicate for entry in identities)
-    return Statement(
-        "bearing_dac",
-        name,
-        {verdict: Case(verdict, words, show)},
-        symbols=symbols,
-        given=given,
-        relies_on=relies_on,
-    )
-
-
 def _form() -> Statement:
-    return universal(
+    return Universal(
         "lemma_1_quadratic_form",
         "for every directed graph with tails O, heads J and positive weights W of its arcs that is "
         "weight-balanced (OWO' = JWJ') and connected (M = (O - J)Y), L = OW(O - J)' has row and "
@@ -111,11 +71,11 @@ def _form() -> Statement:
             "r": "positive",
         },
         (PATHS,),
-    )
+    ).statement
 
 
 def _symmetric() -> Statement:
-    return universal(
+    return Universal(
         "lemma_1_symmetric",
         "the directed triangle with unit vectors a, b, c of its nodes and the arcs ab, bc, ca is "
         "strongly connected, being a cycle, and balanced, because its Laplacian has row and column "
@@ -123,11 +83,11 @@ def _symmetric() -> Statement:
         TRIANGLE,
         {"L": "matrix: n"} | dict.fromkeys("abc", "vector: n"),
         verdict="REFUTED",
-    )
+    ).statement
 
 
 def _symmetric_repair() -> Statement:
-    return universal(
+    return Universal(
         "lemma_1_symmetric_repair",
         "for every weight-balanced directed graph, an eigenvector x + iy of L with the eigenvalue "
         "a + ib has 2a(|x|^2 + |y|^2) = z'Wz + t'Wt >= 0 with the differences z and t of x and y "
@@ -135,11 +95,11 @@ def _symmetric_repair() -> Statement:
         "and the eigenvalue 0",
         EIGENVALUES,
         ARCS | {"x": "vector: n", "y": "vector: n", "a": "real", "b": "real"},
-    )
+    ).statement
 
 
 def _moore_penrose() -> Statement:
-    return universal(
+    return Universal(
         "lemma_2_moore_penrose",
         "for every connected graph (M = LV) with incidence matrix B and L = BB', and every X with "
         "LXL = L and (LX)' = LX, as the Moore-Penrose inverse of L has: LX = M = I - ee'/n; and "
@@ -147,7 +107,7 @@ def _moore_penrose() -> Statement:
         MOORE_PENROSE,
         LINKS,
         (RANGE,),
-    )
+    ).statement
 
 
 def _generalized() -> Statement:
@@ -171,7 +131,7 @@ def _generalized() -> Statement:
 
 
 def _generalized_repair() -> Statement:
-    return universal(
+    return Universal(
         "lemma_2_generalized_repair",
         "for every connected graph (M = LV) and every X with LXL = L: LXM = M, so that LX moves "
         "only what is not of sum zero; and BZB' = M for every Z with B'BZB'B = B'B, symmetric or "
@@ -179,7 +139,7 @@ def _generalized_repair() -> Statement:
         GENERALIZED,
         LINKS,
         (RANGE,),
-    )
+    ).statement
 
 
 LEMMA_STATEMENTS = (

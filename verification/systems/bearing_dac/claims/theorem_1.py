@@ -1,4 +1,4 @@
-"""How the printed claims about sign-based dynamic average consensus are decided."""
+"""How gain and time of Theorem 1, as printed, are decided."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from typing import Any
 from verification.certificates.make import certificate
 from verification.verdict import Decision, Verdict
 
-from .counterexamples import Counterexample, gain_counterexamples, time_counterexamples
-from .figures import error_over_time, gain_plane
-from .lemmas import LEMMA_DECISIONS
+from ..counterexamples import Counterexample, gain_counterexamples, time_counterexamples
+from ..figures import error_over_time, gain_plane
 
 LARGEST_GAIN = 4
 LARGEST_TIME = 4
@@ -22,8 +21,7 @@ def theorem_1_gain() -> Decision:
     if not found:
         return _nothing(f"no counterexample on up to {LARGEST_GAIN} nodes")
     first = found[0]
-    squares = [["2*g", "S", "P"]]
-    repaired = _universal("theorem_1_gain_repair", [(squares, [["-2*g*T(S)", "0", "S"]])])
+    repaired = gain_repair()
     return Decision(
         verdict=Verdict.CORRECTED,
         reason=f"Of all connected graphs on up to {LARGEST_GAIN} nodes, those with edges "
@@ -53,8 +51,7 @@ def theorem_1_time() -> Decision:
     if not found:
         return _nothing(f"no counterexample on up to {LARGEST_TIME} nodes")
     last = found[-1]
-    expanded = "j + j**2 + 2*(1 + j)*(d*(1 + j) + 2*g*s) + (d*(1 + j) + 2*g*s)**2 + s"
-    repaired = _universal("theorem_1_time_repair", [([], []), ([[expanded, "1", "1"]], [])])
+    repaired = time_repair()
     return Decision(
         verdict=Verdict.CORRECTED,
         reason=f"Of all connected graphs on up to {LARGEST_TIME} nodes, those with edges "
@@ -78,6 +75,18 @@ def theorem_1_time() -> Decision:
         replay=_table(found, "settling time"),
         figure=error_over_time(last),
     )
+
+
+def gain_repair() -> dict[str, Any]:
+    """Certificate that 2 gamma/lambda_2 clears every cut of every connected graph."""
+    squares = [["2*g", "S", "P"]]
+    return _universal("theorem_1_gain_repair", [(squares, [["-2*g*T(S)", "0", "S"]])])
+
+
+def time_repair() -> dict[str, Any]:
+    """Certificate of the repaired time on every connected graph."""
+    expanded = "j + j**2 + 2*(1 + j)*(d*(1 + j) + 2*g*s) + (d*(1 + j) + 2*g*s)**2 + s"
+    return _universal("theorem_1_time_repair", [([], []), ([[expanded, "1", "1"]], [])])
 
 
 def _nothing(what: str) -> Decision:
@@ -127,7 +136,6 @@ def _table(found: list[Counterexample], what: str) -> tuple[tuple[str, ...], ...
 
 
 DECISIONS: Mapping[str, Callable[[], Decision]] = {
-    **LEMMA_DECISIONS,
     "bearing_dac.theorem_1_gain": theorem_1_gain,
     "bearing_dac.theorem_1_time": theorem_1_time,
 }
