@@ -8,13 +8,14 @@ in statements.json beside this file and is printed; every matrix in it is comput
 witness can make the proof succeed or fail, but never change what is proved. Each kind of witness rests on one
 elementary lemma, proved in docs/verification/lemmas.md. Exit status: 0 all valid, 1 one is not, 2 one is unreadable.
 """
-import ast, hashlib, json, math, operator, pathlib, re, sys
+import ast, collections, hashlib, json, math, operator, pathlib, re, sys
 from fractions import Fraction
 
 FORMAT = "sensortrack-certificate/1"
 FILE_BYTES, DIGITS = 1 << 26, 4000  # of a file; of a number
 DENOMINATORS, SCALED = 100_000, 1_000_000_000  # digits of all denominators together; of all numbers over one
 NODES, CUT_STEPS, PRODUCTS = 600, 2_000_000, 10_000  # of a matrix of a graph; of a proof; of terms of expressions
+LIVE = 10_000_000  # entries that an elimination may hold beyond the links of its graph
 POSITIVE = {"positive definite", "positive semidefinite"}
 NUMBER = re.compile(rf"-?[0-9]{{1,{DIGITS}}}(/[1-9][0-9]{{0,{DIGITS - 1}}})?")
 
@@ -438,6 +439,58 @@ def cut_reaches(proof, graph, gamma, b, f, e, strict=False):
 def cut_drifts(proof, graph, gamma, b):
     """Some cut has N > b k: its disturbance drives its sides apart for ever."""
     cut_reaches(proof, graph, gamma, b, constant(1), constant(0), True)
+def gap_above(proof, graph, s):
+    """The second eigenvalue of the Laplacian is >= s; that of a product is the smallest one of its factors."""
+    kinds = {"sparse_ldl": "order bits", "complement": ""}
+    item = proof.take({"product": "parts"} if graph.factors else kinds)
+    parts = listed(item["parts"], len(graph.factors)) if graph.factors else [item]
+    for part, entry in zip(graph.factors or [graph], parts):
+        proved = {"sparse_ldl": eliminate, "complement": complement}[fields(entry, kinds).pop("kind")]
+        need(proved(proof, part, s.number(), **entry), "two pivots are negative, or too few links")
+def eliminate(proof, graph, s, order, bits, **_):
+    """L - s I, in units of 4^-bits and weights rounded down, is >= 0 on a hyperplane."""
+    # It is the sum of sign(c) (|c|, q)(|c|, q)' over all columns, c < 0 once at most, and of a dominant matrix >= 0.
+    order, bits, rows, slack = listed(order, graph.n, whole), whole(bits), [], [0] * graph.n
+    need(0 <= bits <= DIGITS and sorted(order) == [*range(graph.n)], "no order of the nodes")
+    at, unit, live, negative = {v: k for k, v in enumerate(order)}, 4**bits, 0, 0
+    for k, v in enumerate(order):
+        links = {at[u]: w.numerator * unit // w.denominator for u, w in graph.near[v].items()}
+        rows.append(collections.defaultdict(int, {j: -w for j, w in links.items() if j > k}))
+        rows[k][k] = sum(links.values()) - math.ceil(s * unit)
+    for k, row in enumerate(rows):
+        free, live, rows[k] = row.pop(k) - slack[k], live - len(row), None
+        width = len(column := [(j, w) for j, w in sorted(row.items()) if w])
+        proof.steps += width**2 // 1000
+        need(proof.steps <= CUT_STEPS and live + width**2 // 2 <= LIVE, "too much to eliminate")
+        c = math.isqrt(max(free - (width * math.isqrt(max(free, 0)) + 1) // 2, 0))  # leaves width |c|/2
+        c = c or -math.isqrt(max(-free, 0)) - 1 - (width + 1) // 2
+        column, negative = [(j, (2 * w + c) // (2 * c), w) for j, w in column], negative + (c < 0)
+        for i, (j, q, w) in enumerate(column):
+            target, signed, size = rows[j], q if c > 0 else -q, abs(w - c * q)
+            free, slack[j], live = free - size, slack[j] + size, live - len(target)
+            for m, p, _ in column[i:]:
+                target[m] -= signed * p
+            live += len(target)
+        need(free >= c * abs(c), "what rounding leaves is not dominant")
+    return negative <= 1
+def complement(_, graph, s, **__):
+    """n less the largest eigenvalue of the complement's Laplacian, itself at most the nodes of a component."""
+    rest, largest, least = {*range(graph.n)}, 0, min((w for links in graph.near for w in links.values()), default=0)
+    while rest:
+        walk = [rest.pop()]
+        for i in walk:
+            walk += rest.difference(graph.near[i])
+            rest &= graph.near[i].keys()
+        largest = max(largest, len(walk) if len(walk) > 1 else 0)
+    return s <= least * (graph.n - largest)
+def gap_below(proof, graph, s):
+    """The second eigenvalue is <= s: a vector of sum zero shows it, for a product on one of its factors."""
+    item = proof.take({"vector": "factor x" if graph.factors else "x"})
+    need(not graph.factors or 0 <= whole(item["factor"]) < len(graph.factors), "no such factor")
+    graph = graph.factors[whole(item["factor"])] if graph.factors else graph
+    x = listed(item["x"], graph.n, whole)
+    energy = sum(w * (x[i] - x[j]) ** 2 for _, edges in graph.parts for i, j, w in edges)
+    need(any(x) and not sum(x) and energy <= s.number() * sum(v * v for v in x), "no vector shows it")
 def points(proof, graph, beta, bound, x, clock=Fraction(0)):
     """Times and errors where the straight pieces of a run of x' in -beta B SGN(B'x) + M u, |u| <= bound, end."""
     yield clock, x
@@ -469,7 +522,8 @@ def agrees(proof, graph, beta, x0, t):
     need(clock == t.number() and not any(last) and all(any(x) for _, x in before), "agreement is not at this time")
 
 PREDICATES = {"pd": Proof.positive, "dips": dips, "schur": schur, "unstable": unstable, "run": run, "agrees": agrees,
-              "cuts_clear": cuts_clear, "cut_reaches": cut_reaches, "cut_drifts": cut_drifts}
+              "cuts_clear": cuts_clear, "cut_reaches": cut_reaches, "cut_drifts": cut_drifts,
+              "gap_above": gap_above, "gap_below": gap_below}
 def digest_of(statement):
     return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 def environment(statement, inputs):

@@ -1,8 +1,8 @@
 """Algebraic connectivity: the second smallest eigenvalue lambda_2 of a network's Laplacian.
 
-Upper bounds are Rayleigh quotients of integer vectors of sum zero, lower bounds the positive
-definiteness of L - s I + (s + 1) J/n, J being all ones: this matrix has the eigenvalue 1 on
-constant vectors and lambda_k - s on the others.
+Upper bounds are Rayleigh quotients of integer vectors of sum zero. Lower bounds are eliminations of
+L - s I in integers with one negative pivot at most (`elimination`), for complete and complete
+bipartite networks the components of the complement, and for a product those of its factors.
 
 References
 ----------
@@ -20,15 +20,21 @@ import numpy as np
 from sensortrack.errors import SensorTrackError
 from sensortrack.networks import Network
 
-from .balls import ball_definite
+from .elimination import EliminationError, Matrix, negatives
+from .gap_vectors import laplacian_rows, rayleigh, refined_vector, whole_vector
 from .rationals import above, below, nearest
 from .roots import Algebraic, root_between
+from .slow_modes import Mode, slow_mode
+from .sparse_ldl import FactorError, Symbolic, analyse
 
 LARGEST = 200
-"""Most nodes of a network whose bounds are proved: the cost grows with their cube."""
+"""Most nodes of a network whose bounds are made neighbouring doubles; its matrix is dense."""
 
-SPARSE = 1_000_000
-"""Most nodes and edges of a network whose lambda_2 is computed at all, unless it is a product."""
+STORED = 600_000_000
+"""Most entries of a sparse factor: 5 GB."""
+
+WORK = 2e11
+"""Most multiplications of an elimination in integers: minutes in C."""
 
 RESIDUAL = 1e-6
 """Largest residual of an eigenvector relative to lambda_2; the value's error is its square."""
@@ -36,14 +42,11 @@ RESIDUAL = 1e-6
 EXACT = 60
 """Most nodes of a network whose characteristic polynomial is factored."""
 
-BITS = 200
-"""Precision of the refined eigenvector, and of a proof but for what elimination loses a node."""
-
-LOST_BITS = 3
-
-VECTOR_BITS = 60
 WIDTH = 1e-9
-"""Relative width of the bracket at which no further lower bound is tried."""
+"""Relative width of a small network's bracket at which no further lower bound is tried."""
+
+DISTANCES = (2.0**-35, 2.0**-28, 2.0**-24, 2.0**-20, 2.0**-14, 2.0**-8)
+"""How far below a large network's Rayleigh quotient lower bounds are tried, relative to it."""
 
 
 class NoBracketError(SensorTrackError):
@@ -56,24 +59,38 @@ class Gap(NamedTuple):
     Parameters
     ----------
     lower, upper : Fraction
-        Both doubles, lower < lambda_2 <= upper if the network is connected, else both 0.
+        lower <= lambda_2 <= upper; doubles unless they are equal.
     vector : tuple of int
-        Has the sum zero and shows the upper bound. Empty for a large product, whose bounds are
-        those of a factor.
+        Has the sum zero and shows the upper bound, of a product for the factor `place`.
+    above : dict
+        The certificate's witness for the lower bound; empty if the network is not connected.
+    steps : float
+        Multiplications that checking the lower bound takes.
+    place : int or None
+        Which factor the vector belongs to, where the network is a product.
     """
 
     lower: Fraction
     upper: Fraction
     vector: tuple[int, ...]
+    above: dict[str, Any]
+    steps: float = 0.0
+    place: int | None = None
+
+    @property
+    def below(self) -> dict[str, Any]:
+        """The certificate's witness for the upper bound."""
+        factor = {} if self.place is None else {"factor": self.place}
+        return {"kind": "vector", **factor, "x": list(self.vector)}
 
 
 def connectivity_bracket(network: Network) -> Gap:
-    """Bracket lambda_2 between two doubles, next to each other where the arithmetic allows.
+    """Bracket lambda_2 by a proof in integers.
 
     Parameters
     ----------
     network : Network
-        Two nodes or more.
+        Two nodes or more. Up to `LARGEST` nodes the bounds are neighbouring doubles, or nearly so.
 
     Returns
     -------
@@ -82,30 +99,132 @@ def connectivity_bracket(network: Network) -> Gap:
     Raises
     ------
     NoBracketError
-        The network has more than `LARGEST` nodes and is no product, or no lower bound was proved.
+        The network is too large, or no lower bound was proved.
     """
-    if network.n > LARGEST and network.factors:
-        gaps = [connectivity_bracket(factor) for factor in network.factors]
-        return Gap(min(gap.lower for gap in gaps), min(gap.upper for gap in gaps), ())
-    if network.n > LARGEST:
-        raise NoBracketError(f"lambda_2 is proved for at most {LARGEST} nodes, not {network.n}")
+    if network.factors:
+        return _of_a_product([connectivity_bracket(factor) for factor in network.factors])
     parts = network.components()
     if len(parts) > 1:
-        return Gap(Fraction(0), Fraction(0), _step(network.n, parts[0]))
-    vector = _slow_vector(network)
+        return Gap(Fraction(0), Fraction(0), _step(network.n, parts[0]), {})
+    closed = _closed_form(network)
+    if closed is not None:
+        return closed
+    return _dense_bracket(network) if network.n <= LARGEST else _sparse_bracket(network)
+
+
+def _of_a_product(gaps: list[Gap]) -> Gap:
+    """The eigenvalues of a product are the sums of one of each factor."""
+    place = min(range(len(gaps)), key=lambda k: gaps[k].upper)
+    lower = min(gap.lower for gap in gaps)
+    above = {"kind": "product", "parts": [gap.above for gap in gaps]}
+    steps = sum(gap.steps for gap in gaps)
+    return Gap(lower, gaps[place].upper, gaps[place].vector, above, steps, place)
+
+
+def _closed_form(network: Network) -> Gap | None:
+    """lambda_2 of a complete network, and of one that joins all of a part to all of the rest.
+
+    If the d nodes outside a set of n - d >= d nodes without links between them are all joined to
+    it, lambda_2 = d: a star, a complete bipartite network.
+    """
+    n, edges = network.n, network.edges
+    if network.weights is not None:
+        return None
+    degree = np.bincount(edges.ravel(), minlength=n)
+    least, first = int(degree.min()), int(degree.argmin())
+    inside = np.ones(n, dtype=bool)
+    inside[edges[(edges == first).any(axis=1)].ravel()] = False
+    inside[first] = True
+    between = inside[edges].all(axis=1).any()
+    other = n - 1 - int(inside[::-1].argmax())
+    if network.m == n * (n - 1) // 2:
+        value, other = n, n - 1 if first == 0 else 0
+    elif between or (degree[inside] != least).any() or n < 2 * least or other == first:
+        return None
+    else:
+        value = least
+    x = [0] * n
+    x[first], x[other] = 1, -1
+    return Gap(Fraction(value), Fraction(value), tuple(x), {"kind": "complement"})
+
+
+def _dense_bracket(network: Network) -> Gap:
+    """Two doubles, next to each other where the arithmetic allows."""
+    vector = refined_vector(network)
     quotient = rayleigh(network, vector)
-    return Gap(_proved_below(network, quotient), Fraction(above(quotient)), vector)
+    symbolic = analyse(network.n, network.edges)
+    top = nearest(quotient)
+    lower = math.nextafter(below(quotient), 0.0) if Fraction(top) == quotient else below(quotient)
+    step = math.ulp(lower)
+    bits = 64 + network.n.bit_length() + _excess(network, step)
+    while lower > 0 and (top - lower) <= WIDTH * top:
+        matrix = Matrix(network, Fraction(lower), bits)
+        if _proves(symbolic, matrix):
+            above_item = _witness(symbolic, bits)
+            upper = Fraction(above(quotient))
+            return Gap(Fraction(lower), upper, vector, above_item, symbolic.operations)
+        lower -= step
+        step *= 4
+    raise NoBracketError(f"no lower bound within {WIDTH:g} of lambda_2 could be proved")
 
 
-def rayleigh(network: Network, vector: tuple[int, ...]) -> Fraction:
-    """Sum of w (x_i - x_j)^2 over the edges, over the sum of x_i^2."""
-    weights = network.weights or (Fraction(1),) * network.m
-    pairs = network.edges.tolist()
-    top = sum(
-        (w * (vector[i] - vector[j]) ** 2 for (i, j), w in zip(pairs, weights, strict=True)),
-        Fraction(0),
-    )
-    return top / sum(x * x for x in vector)
+def _sparse_bracket(network: Network) -> Gap:
+    """Bounds within a few billionths of each other, or as close as can be proved."""
+    symbolic = _analysed(network)
+    if symbolic.operations > WORK:
+        raise NoBracketError(f"an elimination of {symbolic.operations:.0e} steps is too long")
+    mode = _mode(network, symbolic)
+    vector = whole_vector(network, mode)
+    quotient = rayleigh(network, vector)
+    reason = "no pivots of the right signs"
+    for distance in DISTANCES:
+        lower = Fraction(below(quotient * (1 - Fraction(distance))))
+        bits = _enough_bits(network, symbolic, distance * mode.value)
+        try:
+            if _proves(symbolic, Matrix(network, lower, bits)):
+                witness = _witness(symbolic, bits)
+                upper = Fraction(above(quotient))
+                return Gap(lower, upper, vector, witness, symbolic.operations)
+        except EliminationError as error:
+            reason = str(error)
+    raise NoBracketError(f"no lower bound on lambda_2 could be proved: {reason}")
+
+
+def _proves(symbolic: Symbolic, matrix: Matrix) -> bool:
+    return negatives(symbolic, matrix) <= 1
+
+
+def _witness(symbolic: Symbolic, bits: int) -> dict[str, Any]:
+    return {"kind": "sparse_ldl", "order": symbolic.order.tolist(), "bits": bits}
+
+
+def _analysed(network: Network) -> Symbolic:
+    symbolic = analyse(network.n, network.edges)
+    if symbolic.entries > STORED:
+        raise NoBracketError(f"a factor of {symbolic.entries} entries is too large")
+    return symbolic
+
+
+def _mode(network: Network, symbolic: Symbolic) -> Mode:
+    try:
+        return slow_mode(network, symbolic)
+    except (FactorError, MemoryError) as error:
+        raise NoBracketError(f"lambda_2 could not be computed: {error}") from error
+
+
+def _excess(network: Network, share: float) -> int:
+    """Bits by which the heaviest node exceeds a share of lambda_2."""
+    return max(0, math.ceil(math.log2(float(network.laplacian().diagonal().max()) / share)))
+
+
+def _enough_bits(network: Network, symbolic: Symbolic, room: float) -> int:
+    """Bits with which rounding costs less than `room`: each entry of a column a unit at the most.
+
+    The units are those of square roots of diagonal entries.
+    """
+    columns = symbolic.entries / network.n if symbolic.entries else network.n / 4
+    heaviest = float(network.laplacian().diagonal().max())
+    return max(8, math.ceil(3 + math.log2(columns * math.sqrt(heaviest) / room)))
 
 
 def exact_connectivity(network: Network, gap: Gap) -> Algebraic | None:
@@ -125,8 +244,9 @@ def exact_connectivity(network: Network, gap: Gap) -> Algebraic | None:
     """
     import flint
 
-    if gap.upper == 0:
-        return Algebraic((0, 1), Fraction(0), Fraction(0), 0.0)
+    if gap.upper == gap.lower:
+        value = gap.upper
+        return Algebraic((-value.numerator, value.denominator), value, value, nearest(value))
     if network.factors:
         return _of_factors(network, gap)
     if network.n > EXACT:
@@ -150,7 +270,7 @@ def connectivity_value(network: Network) -> float | None:
     Returns
     -------
     float or None
-        None if the residual of a large network's eigenvector is not small.
+        None if a large network's factor is too large, or the residual of its eigenvector not small.
     """
     if network.factors:
         values = [connectivity_value(factor) for factor in network.factors]
@@ -158,52 +278,16 @@ def connectivity_value(network: Network) -> float | None:
         return min(known) if len(known) == len(values) else None
     if not network.is_connected():
         return 0.0
+    closed = _closed_form(network)
+    if closed is not None:
+        return nearest(closed.upper)
     if network.n <= LARGEST:
-        return nearest(rayleigh(network, _slow_vector(network)))
-    return _estimate(network)
-
-
-def _estimate(network: Network) -> float | None:
-    """lambda_2 by inverse iteration on the sparse Laplacian."""
-    from scipy.sparse.linalg import eigsh
-
-    if network.n + network.m > SPARSE:
-        return None
-    laplacian = network.laplacian().tocsc()
-    start = np.random.default_rng(0).standard_normal(network.n)
-    shift = -1e-6 * float(laplacian.diagonal().mean())
+        return nearest(rayleigh(network, refined_vector(network)))
     try:
-        values, vectors = eigsh(laplacian, k=2, sigma=shift, which="LM", v0=start)
-    except (RuntimeError, MemoryError):
+        mode = _mode(network, _analysed(network))
+    except NoBracketError:
         return None
-    x = vectors[:, int(np.argmax(values))]
-    x = x - x.mean()
-    steps = x[network.edges[:, 0]] - x[network.edges[:, 1]]
-    weights = np.array([float(w) for w in network.weights]) if network.weights else 1.0
-    value = float((weights * steps**2).sum() / (x @ x))  # no cancellation, unlike x'Lx
-    residual = float(np.linalg.norm(laplacian @ x - value * x) / np.linalg.norm(x))
-    return value if residual <= RESIDUAL * value else None
-
-
-def laplacian_rows(network: Network) -> list[list[Fraction]]:
-    """The Laplacian, exact."""
-    rows = [[Fraction(0)] * network.n for _ in range(network.n)]
-    weights = network.weights or (Fraction(1),) * network.m
-    for (i, j), w in zip(network.edges.tolist(), weights, strict=True):
-        rows[i][j] -= w
-        rows[j][i] -= w
-        rows[i][i] += w
-        rows[j][j] += w
-    return rows
-
-
-def shifted_rows(network: Network, s: Fraction) -> list[list[Fraction]]:
-    """L - s I + (s + 1) J/n, positive definite if and only if lambda_2 > s."""
-    spread = (s + 1) / network.n
-    rows = [[x + spread for x in row] for row in laplacian_rows(network)]
-    for i, row in enumerate(rows):
-        row[i] -= s
-    return rows
+    return mode.value if mode.residual <= RESIDUAL else None
 
 
 def _of_factors(network: Network, gap: Gap) -> Algebraic | None:
@@ -222,59 +306,3 @@ def _step(n: int, part: list[int]) -> tuple[int, ...]:
     """Constant on a component and on the rest, of sum zero."""
     inside = set(part)
     return tuple(n - len(part) if i in inside else -len(part) for i in range(n))
-
-
-def _slow_vector(network: Network) -> tuple[int, ...]:
-    """Integer vector of sum zero close to an eigenvector of lambda_2."""
-    x = np.linalg.eigh(network.laplacian().toarray())[1][:, 1]
-    mids = _refined(network, [Fraction(float(v)) for v in x])
-    size = max(abs(v) for v in mids)
-    whole = [round(v / size * 2**VECTOR_BITS) for v in mids]
-    centred = [network.n * v - sum(whole) for v in whole]
-    common = math.gcd(*centred)
-    return tuple(v // common for v in centred)
-
-
-def _refined(network: Network, vector: list[Fraction]) -> list[Fraction]:
-    """Two steps of inverse iteration in many bits; the shift is a little below lambda_2."""
-    import flint
-
-    n = network.n
-    start = _whole(vector)
-    shift = rayleigh(network, start) * (1 - Fraction(1, 10**9))
-    flint.ctx.prec = BITS
-    matrix = flint.arb_mat([[_arb(x) for x in row] for row in shifted_rows(network, shift)])
-    x = flint.arb_mat([[flint.arb(v)] for v in start])
-    for _ in range(2):
-        try:
-            x = matrix.solve(x, algorithm="approx")
-        except ZeroDivisionError:
-            break
-        top = max(abs(float(x[i, 0].mid())) for i in range(n))
-        x = flint.arb_mat([[(x[i, 0] / top).mid()] for i in range(n)])
-    scale = flint.arb(2) ** (2 * VECTOR_BITS)
-    return [Fraction(int((x[i, 0] * scale).mid().floor().unique_fmpz() or 0)) for i in range(n)]
-
-
-def _whole(vector: list[Fraction]) -> tuple[int, ...]:
-    whole = [round(v * 2**VECTOR_BITS) for v in vector]
-    return tuple(len(whole) * v - sum(whole) for v in whole)
-
-
-def _proved_below(network: Network, quotient: Fraction) -> Fraction:
-    """The largest tried double that is proved to lie below lambda_2."""
-    top = nearest(quotient)
-    lower = math.nextafter(below(quotient), 0.0) if Fraction(top) == quotient else below(quotient)
-    step, bits = math.ulp(lower), BITS + LOST_BITS * network.n
-    while lower > 0 and (top - lower) <= WIDTH * top:
-        if ball_definite(shifted_rows(network, Fraction(lower)), bits):
-            return Fraction(lower)
-        lower -= step
-        step *= 4
-    raise NoBracketError(f"no lower bound within {WIDTH:g} of lambda_2 could be proved")
-
-
-def _arb(x: Fraction) -> Any:
-    import flint
-
-    return flint.arb(flint.fmpq(x.numerator, x.denominator))

@@ -63,11 +63,11 @@ def _connectivity() -> Statement:
             "PROVED": Case(
                 "PROVED",
                 between,
-                (f"pd({_shifted('lower')})", f"dips({_shifted('upper')})"),
+                ("gap_above(graph, lower)", "gap_below(graph, upper)"),
                 BRACKET,
             ),
             "PROVED 0": Case(
-                "PROVED", zero, (f"dips({_shifted('0')})",), {"lower": "0", "upper": "0"}
+                "PROVED", zero, ("gap_below(graph, 0)",), {"lower": "0", "upper": "0"}
             ),
         },
         inputs={"graph": "graph"},

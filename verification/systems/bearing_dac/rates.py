@@ -13,7 +13,7 @@ from verification.answers import Answer
 from verification.certificates.make import CertificateError, certificate
 from verification.exact.cut_components import spread
 from verification.exact.cuts import CutBracket, margin, slowest
-from verification.exact.rationals import nearest
+from verification.exact.rationals import above, below, nearest
 from verification.exact.spectral_gap import (
     Gap,
     NoBracketError,
@@ -23,7 +23,7 @@ from verification.exact.spectral_gap import (
 )
 from verification.exact.square_roots import exact_square_root, square_root_beside
 
-from .brackets import SYSTEM, answer
+from .brackets import OPEN, SYSTEM, USABLE, answer
 from .critical import explained
 from .gains import NO_LAMBDA, reaches_printed_gain
 from .network_inputs import (
@@ -39,6 +39,12 @@ from .network_inputs import (
 )
 
 LONGEST = "the largest time counts"
+
+SHARP = Fraction(1, 10**10)
+"""Relative width of a bracket whose middle is the value; the upper end of others is closer."""
+
+CHECKED = 3e8
+"""Most multiplications of an elimination that a certificate asks its checker for: a minute."""
 
 
 def margin_rate_squared(values: Mapping[str, Any]) -> Answer:
@@ -82,7 +88,8 @@ def algebraic_connectivity(values: Mapping[str, Any]) -> Answer:
     Returns
     -------
     Answer
-        With a certificate up to 200 nodes, else SUPPORTED.
+        Proved by an elimination in integers, with a certificate where that is short enough, else
+        with a note; SUPPORTED for a network whose elimination would be too long.
     """
     network = network_of(values)
     try:
@@ -93,26 +100,29 @@ def algebraic_connectivity(values: Mapping[str, Any]) -> Answer:
             return Answer(verdict="UNDECIDED", notes=(NO_LAMBDA,))
         return Answer(value=value, notes=(f"{error}: computed, its residual checked",))
     exact = exact_connectivity(network, gap)
-    value = exact.nearest if exact else nearest((gap.lower + gap.upper) / 2)
     data = exact.to_data() if exact else None
-    if not gap.vector:
-        note = "the smallest lambda_2 of a factor: computed, not certified for the product"
-        return Answer(value=value, exact=data, notes=(note,))
+    ends, width = (below(gap.lower), above(gap.upper)), gap.upper - gap.lower
+    notes = ["not connected"] if gap.upper == 0 else []
+    if width > USABLE * gap.upper:
+        return Answer(None, None, *ends, None, "UNDECIDED", notes=(*notes, OPEN))
+    middle = (gap.lower + gap.upper) / 2 if width <= SHARP * gap.upper else gap.upper
+    document = None
     try:
         document = _connectivity_certificate(network, gap)
     except CertificateError as error:
-        return Answer(value=value, exact=data, notes=(f"no certificate: {error}",))
-    ends = nearest(gap.lower), nearest(gap.upper)
-    notes = ("not connected",) if gap.upper == 0 else ()
-    return Answer(value, data, *ends, None, "PROVED", document, None, notes)
+        notes.append(f"proved in integers, {gap.steps:.1e} steps; no certificate: {error}")
+    value = exact.nearest if exact else nearest(middle)
+    return Answer(value, data, *ends, None, "PROVED", document, None, tuple(notes))
 
 
 def _connectivity_certificate(network: Network, gap: Gap) -> dict[str, Any]:
-    inputs = {"graph": graph_data(network)}
-    witness = [{"kind": "vector", "x": list(gap.vector)}]
+    if gap.steps > CHECKED:
+        raise CertificateError("checking it would take more than a minute")
+    inputs = {"graph": network.to_data()}
     name = "algebraic_connectivity"
     if gap.upper == 0:
-        return certificate(SYSTEM, name, inputs, witness, "PROVED 0", lower="0", upper="0")
+        return certificate(SYSTEM, name, inputs, [gap.below], "PROVED 0", lower="0", upper="0")
+    witness = [gap.above, gap.below]
     return certificate(SYSTEM, name, inputs, witness, lower=gap.lower, upper=gap.upper)
 
 
