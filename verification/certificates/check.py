@@ -15,7 +15,7 @@ FORMAT = "sensortrack-certificate/1"
 FILE_BYTES, DIGITS = 1 << 26, 4000  # of a file; of a number
 DENOMINATORS, SCALED = 100_000, 1_000_000_000  # digits of all denominators together; of all numbers over one
 NODES, CUT_STEPS, PRODUCTS = 600, 2_000_000, 10_000  # of a matrix of a graph; of a proof; of terms of expressions
-LIVE = 10_000_000  # entries that an elimination may hold beyond the links of its graph
+LIVE = 10_000_000  # entries that an elimination holds beyond the links of its graph
 POSITIVE = {"positive definite", "positive semidefinite"}
 NUMBER = re.compile(rf"-?[0-9]{{1,{DIGITS}}}(/[1-9][0-9]{{0,{DIGITS - 1}}})?")
 
@@ -441,27 +441,26 @@ def cut_drifts(proof, graph, gamma, b):
     cut_reaches(proof, graph, gamma, b, constant(1), constant(0), True)
 def gap_above(proof, graph, s):
     """The second eigenvalue of the Laplacian is >= s; that of a product is the smallest one of its factors."""
-    kinds = {"sparse_ldl": "order bits", "complement": ""}
-    item = proof.take({"product": "parts"} if graph.factors else kinds)
+    item = proof.take({"product": "parts"} if graph.factors else {"sparse_ldl": "order bits"})
     parts = listed(item["parts"], len(graph.factors)) if graph.factors else [item]
     for part, entry in zip(graph.factors or [graph], parts):
-        proved = {"sparse_ldl": eliminate, "complement": complement}[fields(entry, kinds).pop("kind")]
-        need(proved(proof, part, s.number(), **entry), "two pivots are negative, or too few links")
+        eliminate(proof, part, s.number(), **fields(entry, {"sparse_ldl": "order bits"}))
 def eliminate(proof, graph, s, order, bits, **_):
     """L - s I, in units of 4^-bits and weights rounded down, is >= 0 on a hyperplane."""
     # It is the sum of sign(c) (|c|, q)(|c|, q)' over all columns, c < 0 once at most, and of a dominant matrix >= 0.
     order, bits, rows, slack = listed(order, graph.n, whole), whole(bits), [], [0] * graph.n
     need(0 <= bits <= DIGITS and sorted(order) == [*range(graph.n)], "no order of the nodes")
     at, unit, live, negative = {v: k for k, v in enumerate(order)}, 4**bits, 0, 0
-    for k, v in enumerate(order):
+    cost = 1 + (bits // 100) ** 2  # of a product
+    for k, v in enumerate(order):  # the upper triangle
         links = {at[u]: w.numerator * unit // w.denominator for u, w in graph.near[v].items()}
         rows.append(collections.defaultdict(int, {j: -w for j, w in links.items() if j > k}))
         rows[k][k] = sum(links.values()) - math.ceil(s * unit)
     for k, row in enumerate(rows):
         free, live, rows[k] = row.pop(k) - slack[k], live - len(row), None
         width = len(column := [(j, w) for j, w in sorted(row.items()) if w])
-        proof.steps += width**2 // 1000
-        need(proof.steps <= CUT_STEPS and live + width**2 // 2 <= LIVE, "too much to eliminate")
+        proof.steps += cost * width**2 // 1000
+        need(proof.steps <= CUT_STEPS and cost * (live + width**2 // 2) <= LIVE, "too much to eliminate")
         c = math.isqrt(max(free - (width * math.isqrt(max(free, 0)) + 1) // 2, 0))  # leaves width |c|/2
         c = c or -math.isqrt(max(-free, 0)) - 1 - (width + 1) // 2
         column, negative = [(j, (2 * w + c) // (2 * c), w) for j, w in column], negative + (c < 0)
@@ -471,18 +470,7 @@ def eliminate(proof, graph, s, order, bits, **_):
             for m, p, _ in column[i:]:
                 target[m] -= signed * p
             live += len(target)
-        need(free >= c * abs(c), "what rounding leaves is not dominant")
-    return negative <= 1
-def complement(_, graph, s, **__):
-    """n less the largest eigenvalue of the complement's Laplacian, itself at most the nodes of a component."""
-    rest, largest, least = {*range(graph.n)}, 0, min((w for links in graph.near for w in links.values()), default=0)
-    while rest:
-        walk = [rest.pop()]
-        for i in walk:
-            walk += rest.difference(graph.near[i])
-            rest &= graph.near[i].keys()
-        largest = max(largest, len(walk) if len(walk) > 1 else 0)
-    return s <= least * (graph.n - largest)
+        need(free >= c * abs(c) and negative <= 1, "what rounding leaves is not dominant, or two pivots are negative")
 def gap_below(proof, graph, s):
     """The second eigenvalue is <= s: a vector of sum zero shows it, for a product on one of its factors."""
     item = proof.take({"vector": "factor x" if graph.factors else "x"})

@@ -1,8 +1,8 @@
 """Algebraic connectivity: the second smallest eigenvalue lambda_2 of a network's Laplacian.
 
 Upper bounds are Rayleigh quotients of integer vectors of sum zero. Lower bounds are eliminations of
-L - s I in integers with one negative pivot at most (`elimination`), for complete and complete
-bipartite networks the components of the complement, and for a product those of its factors.
+L - s I in integers with one negative pivot at most (`elimination`); a product has those of its
+factors, and large complete networks, stars and complete bipartite networks a closed form.
 
 References
 ----------
@@ -20,7 +20,7 @@ import numpy as np
 from sensortrack.errors import SensorTrackError
 from sensortrack.networks import Network
 
-from .elimination import EliminationError, Matrix, negatives
+from .elimination import CHECKED, EliminationError, Matrix, negatives
 from .gap_vectors import laplacian_rows, rayleigh, refined_vector, whole_vector
 from .rationals import above, below, nearest
 from .roots import Algebraic, root_between
@@ -63,7 +63,8 @@ class Gap(NamedTuple):
     vector : tuple of int
         Has the sum zero and shows the upper bound, of a product for the factor `place`.
     above : dict
-        The certificate's witness for the lower bound; empty if the network is not connected.
+        The certificate's witness for the lower bound; empty if the network is not connected, or if
+        the bounds are a closed form.
     steps : float
         Multiplications that checking the lower bound takes.
     place : int or None
@@ -106,10 +107,11 @@ def connectivity_bracket(network: Network) -> Gap:
     parts = network.components()
     if len(parts) > 1:
         return Gap(Fraction(0), Fraction(0), _step(network.n, parts[0]), {})
+    if network.n <= LARGEST:
+        return _dense_bracket(network)
     closed = _closed_form(network)
-    if closed is not None:
-        return closed
-    return _dense_bracket(network) if network.n <= LARGEST else _sparse_bracket(network)
+    long = closed is not None and network.n * closed.upper**2 > CHECKED
+    return closed if closed is not None and long else _sparse_bracket(network)
 
 
 def _of_a_product(gaps: list[Gap]) -> Gap:
@@ -124,8 +126,10 @@ def _of_a_product(gaps: list[Gap]) -> Gap:
 def _closed_form(network: Network) -> Gap | None:
     """lambda_2 of a complete network, and of one that joins all of a part to all of the rest.
 
-    If the d nodes outside a set of n - d >= d nodes without links between them are all joined to
-    it, lambda_2 = d: a star, a complete bipartite network.
+    With its complement the network is complete, n on all vectors of sum zero. So lambda_2 is n less
+    the largest eigenvalue of the complement: 0 if that is empty, and if the d nodes outside a set
+    of n - d >= d nodes without links between them are all joined to it (a star, a complete
+    bipartite network), n - d, the complement being complete on the set and without links to others.
     """
     n, edges = network.n, network.edges
     if network.weights is not None:
@@ -145,12 +149,13 @@ def _closed_form(network: Network) -> Gap | None:
         value = least
     x = [0] * n
     x[first], x[other] = 1, -1
-    return Gap(Fraction(value), Fraction(value), tuple(x), {"kind": "complement"})
+    return Gap(Fraction(value), Fraction(value), tuple(x), {})
 
 
 def _dense_bracket(network: Network) -> Gap:
     """Two doubles, next to each other where the arithmetic allows."""
-    vector = refined_vector(network)
+    closed = _closed_form(network)
+    vector = closed.vector if closed else refined_vector(network)
     quotient = rayleigh(network, vector)
     symbolic = analyse(network.n, network.edges)
     top = nearest(quotient)
@@ -173,13 +178,13 @@ def _sparse_bracket(network: Network) -> Gap:
     symbolic = _analysed(network)
     if symbolic.operations > WORK:
         raise NoBracketError(f"an elimination of {symbolic.operations:.0e} steps is too long")
-    mode = _mode(network, symbolic)
-    vector = whole_vector(network, mode)
+    closed = _closed_form(network)
+    vector = closed.vector if closed else whole_vector(network, _mode(network, symbolic))
     quotient = rayleigh(network, vector)
     reason = "no pivots of the right signs"
     for distance in DISTANCES:
         lower = Fraction(below(quotient * (1 - Fraction(distance))))
-        bits = _enough_bits(network, symbolic, distance * mode.value)
+        bits = _enough_bits(network, symbolic, distance * float(quotient))
         try:
             if _proves(symbolic, Matrix(network, lower, bits)):
                 witness = _witness(symbolic, bits)
@@ -250,7 +255,8 @@ def exact_connectivity(network: Network, gap: Gap) -> Algebraic | None:
     if network.factors:
         return _of_factors(network, gap)
     if network.n > EXACT:
-        return None
+        closed = _closed_form(network)
+        return exact_connectivity(network, closed) if closed else None
     unit = math.lcm(*(w.denominator for w in network.weights or ()))
     rows = [[int(x * unit) for x in row] for row in laplacian_rows(network)]
     polynomial = [int(c) for c in flint.fmpz_mat(rows).charpoly().coeffs()]

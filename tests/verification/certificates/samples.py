@@ -23,6 +23,7 @@ GAINS = {
     "C": [["1", "-1/3"], ["-1/3", "1"]],
 }
 SCALARS = {"M": ONE, "K": ONE, "C": ONE}
+LDL = {"kind": "sparse_ldl", "order": [2, 0, 3, 1], "bits": 12}
 FLIP = {"kind": "vector", "x": [1]}
 
 
@@ -129,7 +130,10 @@ EXPLICIT = [
      [cuts(enumeration(3, 1, 0, 2)), {"kind": "cut", "nodes": [0, 1]}],
      {"lower": "4", "upper": "4"}),
     ("bearing_dac.algebraic_connectivity", {"graph": RING},
-     [{"kind": "vector", "x": [1, 1, -1, -1]}], {"lower": "199/100", "upper": "2"}),
+     [LDL, {"kind": "vector", "x": [1, 1, -1, -1]}], {"lower": "199/100", "upper": "2"}),
+    ("bearing_dac.algebraic_connectivity", {"graph": LADDER},
+     [{"kind": "product", "parts": [LDL | {"order": [1, 0]}, LDL | {"order": [0, 2, 1]}]},
+      {"kind": "vector", "factor": 1, "x": [-2, -1, 3]}], {"lower": "3/5", "upper": "9/14"}),
     ("bearing_dac.algebraic_connectivity", {"graph": APART},
      [{"kind": "vector", "x": [1, 1, -2]}],
      {"case": "PROVED 0", "lower": "0", "upper": "0"}),

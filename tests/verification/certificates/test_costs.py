@@ -32,6 +32,8 @@ def costly():
     collide = [k * (2**61 - 1) for k in range(20000)]
     cut = {"kind": "cut", "nodes": [0]}
     matrix = {"kind": "vector", "x": [1] * 30000}
+    hub = {"nodes": [str(i) for i in range(9000)], "edges": [[0, i] for i in range(1, 9000)]}
+    dense = [{"kind": "sparse_ldl", "order": list(range(9000)), "bits": 4000}, matrix]
     yield "many pieces", threshold, gain | {"graph": pieces}, [cuts(*[TREE] * 40000)], True
     yield "many pairs", threshold, gain | {"graph": pairs}, [cuts(*[TREE] * 10000)], True
     yield "a long path", threshold, gain | {"graph": path_graph(20000)}, [cuts(TREE)], False
@@ -46,12 +48,13 @@ def costly():
         False,
     )
     yield (
-        "a large matrix",
+        "a vector for a large matrix",
         "bearing_dac.algebraic_connectivity",
         {"graph": path_graph(30000)},
         [matrix],
         False,
     )
+    yield "fill", "bearing_dac.algebraic_connectivity", {"graph": hub}, dense, False
     yield (
         "a product's matrix",
         "bearing_dac.algebraic_connectivity",

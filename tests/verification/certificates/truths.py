@@ -116,6 +116,11 @@ def implicit_steps(entry):
 
 
 def laplacian(graph):
+    if "product" in graph:
+        whole = np.zeros((1, 1))
+        for factor in map(laplacian, graph["product"]):
+            whole = np.kron(whole, np.eye(len(factor))) + np.kron(np.eye(len(whole)), factor)
+        return whole
     n = len(graph["nodes"])
     matrix = np.zeros((n, n))
     for i, j, w in links(graph):

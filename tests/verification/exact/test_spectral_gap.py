@@ -10,13 +10,13 @@ from hypothesis import given, settings
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks
 from verification.certificates.make import CertificateError, certificate
+from verification.exact import spectral_gap
+from verification.exact.gap_vectors import laplacian_rows, rayleigh
 from verification.exact.spectral_gap import (
     NoBracketError,
     connectivity_bracket,
     connectivity_value,
     exact_connectivity,
-    laplacian_rows,
-    rayleigh,
 )
 
 CLOSED = {
@@ -30,7 +30,16 @@ CLOSED = {
     "grid:3,8": 4 * math.sin(math.pi / 16) ** 2,
     "hypercube:20": 2.0,
     "grid:150,180": 4 * math.sin(math.pi / 360) ** 2,
+    "torus:90,100": 4 * math.sin(math.pi / 100) ** 2,
 }
+LARGE = {
+    "path:3000": 4 * math.sin(math.pi / 6000) ** 2,
+    "cycle:1500": 4 * math.sin(math.pi / 1500) ** 2,
+    "star:900": 1.0,
+    "complete:250": 250.0,
+    "bipartite:30,400": 30.0,
+}
+"""Too large for a dense matrix."""
 
 
 @pytest.mark.parametrize("family", CLOSED)
@@ -54,8 +63,7 @@ def test_bounds_are_neighbours_and_certified(network: Network) -> None:
     assert sum(gap.vector) == 0
     assert rayleigh(network, gap.vector) <= gap.upper
     data = {"graph": network.to_data()}
-    witness = [{"kind": "vector", "x": list(gap.vector)}]
-    ask = ("bearing_dac", "algebraic_connectivity", data, witness)
+    ask = ("bearing_dac", "algebraic_connectivity", data, [gap.above, gap.below])
     certificate(*ask, lower=gap.lower, upper=gap.upper)
     with pytest.raises(CertificateError):
         certificate(*ask, lower=gap.upper + Fraction(1, 10**6), upper=gap.upper)
@@ -92,10 +100,8 @@ def test_a_disconnected_network_has_the_value_zero() -> None:
     assert exact.to_data() == {"kind": "rational", "value": "0"}
     assert connectivity_value(network) == 0
     data = {"graph": network.to_data()}
-    witness = [{"kind": "vector", "x": list(gap.vector)}]
-    certificate(
-        "bearing_dac", "algebraic_connectivity", data, witness, "PROVED 0", lower="0", upper="0"
-    )
+    ask = ("bearing_dac", "algebraic_connectivity", data, [gap.below], "PROVED 0")
+    certificate(*ask, lower="0", upper="0")
 
 
 def test_unlike_weights_cost_no_digits() -> None:
@@ -107,8 +113,72 @@ def test_unlike_weights_cost_no_digits() -> None:
     assert all(sum(row) == 0 for row in rows)
 
 
-def test_large_networks_are_computed_and_not_proved() -> None:
-    network = read_network("path:1500")
-    with pytest.raises(NoBracketError, match="200 nodes"):
+@pytest.mark.parametrize("family", LARGE)
+def test_large_networks_are_bracketed_narrowly(family: str) -> None:
+    network = read_network(family)
+    gap = connectivity_bracket(network)
+    assert gap.lower < gap.upper <= gap.lower * (1 + Fraction(1, 10**9))
+    assert float(gap.lower) * (1 - 1e-14) <= LARGE[family] <= float(gap.upper) * (1 + 1e-14)
+    assert sum(gap.vector) == 0
+    assert rayleigh(network, gap.vector) <= gap.upper
+    assert connectivity_value(network) == pytest.approx(LARGE[family], rel=1e-9)
+
+
+@pytest.mark.parametrize("road", ["C", "Python"])
+@pytest.mark.parametrize("weighted", [False, True])
+def test_general_networks_are_bracketed_around_what_numpy_finds(
+    road: str, weighted: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SENSORTRACK_NO_COMPILER", "0" if road == "C" else "1")
+    network = read_network("random_geometric:350,0.13,4")
+    assert network.is_connected()
+    if weighted:
+        weights = tuple(Fraction(2 + k % 7, 3 + k % 5) for k in range(network.m))
+        network = Network(network.names, network.edges, weights)
+    gap = connectivity_bracket(network)
+    value = float(np.linalg.eigvalsh(network.laplacian().toarray())[1])
+    assert float(gap.lower) <= value * (1 + 1e-10)
+    assert float(gap.upper) >= value * (1 - 1e-10)
+    assert gap.upper <= gap.lower * (1 + Fraction(1, 10**9))
+    ask = ("bearing_dac", "algebraic_connectivity", {"graph": network.to_data()})
+    certificate(*ask, [gap.above, gap.below], lower=gap.lower, upper=gap.upper)
+    with pytest.raises(CertificateError):
+        certificate(*ask, [gap.above, gap.below], lower=gap.upper * 2, upper=gap.upper * 2)
+
+
+def test_long_eliminations_leave_closed_forms() -> None:
+    complete, joined = read_network("complete:1500"), read_network("bipartite:600,1000")
+    assert connectivity_bracket(complete)[:2] == (1500, 1500)
+    assert connectivity_bracket(joined)[:2] == (600, 600)
+    for network in (complete, joined):
+        gap = connectivity_bracket(network)
+        assert gap.above == {}
+        assert rayleigh(network, gap.vector) == gap.upper
+        exact = exact_connectivity(network, gap)
+        assert exact is not None
+        assert exact.nearest == gap.upper
+
+
+def test_what_is_nearly_complete_has_no_closed_form() -> None:
+    """One link less, or one weight, and the elimination decides."""
+    whole = read_network("bipartite:100,150")
+    fewer = Network(whole.names, whole.edges[1:])
+    heavier = Network(whole.names, whole.edges, (Fraction(2), *(Fraction(1),) * (whole.m - 1)))
+    for network in (fewer, heavier):
+        gap = connectivity_bracket(network)
+        value = float(np.linalg.eigvalsh(network.laplacian().toarray())[1])
+        assert float(gap.lower) <= value * (1 + 1e-12)
+        assert float(gap.upper) >= value * (1 - 1e-12)
+        assert gap.above
+        assert exact_connectivity(network, gap) is None
+
+
+def test_too_long_an_elimination_is_said_to_be_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    network = read_network("random_geometric:300,0.15,4")
+    monkeypatch.setattr(spectral_gap, "WORK", 10.0)
+    with pytest.raises(NoBracketError, match="too long"):
         connectivity_bracket(network)
-    assert connectivity_value(network) == pytest.approx(4 * math.sin(math.pi / 3000) ** 2, rel=1e-9)
+    monkeypatch.setattr(spectral_gap, "STORED", 10)
+    with pytest.raises(NoBracketError, match="too large"):
+        connectivity_bracket(network)
+    assert connectivity_value(network) is None

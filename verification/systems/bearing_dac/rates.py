@@ -10,9 +10,11 @@ from typing import Any
 
 from sensortrack.networks import Network
 from verification.answers import Answer
+from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate
 from verification.exact.cut_components import spread
 from verification.exact.cuts import CutBracket, margin, slowest
+from verification.exact.elimination import CHECKED
 from verification.exact.rationals import above, below, nearest
 from verification.exact.spectral_gap import (
     Gap,
@@ -40,11 +42,11 @@ from .network_inputs import (
 
 LONGEST = "the largest time counts"
 
+EDGE_BYTES = 10
+"""Fewest bytes that an edge of a large network takes in a file."""
+
 SHARP = Fraction(1, 10**10)
 """Relative width of a bracket whose middle is the value; the upper end of others is closer."""
-
-CHECKED = 3e8
-"""Most multiplications of an elimination that a certificate asks its checker for: a minute."""
 
 
 def margin_rate_squared(values: Mapping[str, Any]) -> Answer:
@@ -110,14 +112,22 @@ def algebraic_connectivity(values: Mapping[str, Any]) -> Answer:
     try:
         document = _connectivity_certificate(network, gap)
     except CertificateError as error:
-        notes.append(f"proved in integers, {gap.steps:.1e} steps; no certificate: {error}")
+        notes.append(f"{_how(gap)}; no certificate: {error}")
     value = exact.nearest if exact else nearest(middle)
     return Answer(value, data, *ends, None, "PROVED", document, None, tuple(notes))
 
 
+def _how(gap: Gap) -> str:
+    if not gap.above:
+        return "a closed form of complete networks and of those that join a part to the rest"
+    return f"proved by an elimination in exact integers, {gap.steps:.1e} multiplications"
+
+
 def _connectivity_certificate(network: Network, gap: Gap) -> dict[str, Any]:
-    if gap.steps > CHECKED:
-        raise CertificateError("checking it would take more than a minute")
+    if gap.steps > CHECKED or not (gap.above or gap.upper == 0):
+        raise CertificateError("checking one would take more than a minute")
+    if network.m > check.FILE_BYTES // EDGE_BYTES and not network.factors:
+        raise CertificateError(f"a file with {network.m} edges is too large to be read")
     inputs = {"graph": network.to_data()}
     name = "algebraic_connectivity"
     if gap.upper == 0:

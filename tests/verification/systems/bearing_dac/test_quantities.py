@@ -15,8 +15,9 @@ from tests.strategies import networks, rationals
 from verification.answers import Answer
 from verification.certificates import check
 from verification.certificates.make import statements
-from verification.exact import cut_roads
+from verification.exact import cut_roads, spectral_gap
 from verification.inputs import read_inputs
+from verification.systems.bearing_dac import rates
 from verification.systems.bearing_dac.quantities import CONDITIONS, QUANTITIES
 
 QUESTIONS = {question.name: question for question in (*QUANTITIES, *CONDITIONS)}
@@ -176,12 +177,55 @@ def test_connectivity_is_exact_where_that_is_short() -> None:
     assert ask("algebraic_connectivity", "karate").exact is None
 
 
-def test_connectivity_of_large_networks_is_computed_only() -> None:
+def test_connectivity_of_large_networks_is_proved() -> None:
     cube = ask("algebraic_connectivity", "hypercube:20")
-    assert (cube.value, cube.lower, cube.verdict) == (2.0, None, "SUPPORTED")
+    assert (cube.value, cube.upper, cube.verdict) == (2.0, 2.0, "PROVED")
+    assert cube.lower == math.nextafter(2.0, 0.0)
     path = ask("algebraic_connectivity", "path:400")
     assert path.value == pytest.approx(4 * math.sin(math.pi / 800) ** 2, rel=1e-9)
-    assert path.verdict == "SUPPORTED"
+    assert path.upper <= path.lower * (1 + 1e-9)
+    torus = ask("algebraic_connectivity", "torus:100,100")
+    assert torus.lower <= 4 * math.sin(math.pi / 100) ** 2 * (1 + 1e-14)
+    assert path.certificate
+    assert torus.certificate
+    assert path.verdict == torus.verdict == "PROVED"
+
+
+def test_connectivity_beyond_any_file_says_how_it_is_proved(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    closed = ask("algebraic_connectivity", "complete:1200")
+    assert (closed.lower, closed.upper, closed.verdict) == (1200.0, 1200.0, "PROVED")
+    assert closed.certificate is None
+    assert "closed form" in closed.notes[0]
+    monkeypatch.setattr(rates, "CHECKED", 10.0)
+    long = ask("algebraic_connectivity", "path:300")
+    assert long.verdict == "PROVED"
+    assert long.certificate is None
+    assert "exact integers" in long.notes[0]
+    assert "no certificate" in long.notes[0]
+    monkeypatch.undo()
+    monkeypatch.setattr(rates, "EDGE_BYTES", 10**6)
+    large = ask("algebraic_connectivity", "path:300")
+    assert "too large to be read" in large.notes[0]
+
+
+def test_connectivity_that_cannot_be_proved_is_computed_or_a_bracket(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(spectral_gap, "WORK", 10.0)
+    computed = ask("algebraic_connectivity", "path:300")
+    assert computed.verdict == "SUPPORTED"
+    assert computed.value == pytest.approx(4 * math.sin(math.pi / 600) ** 2, rel=1e-9)
+    assert (computed.lower, computed.upper) == (None, None)
+    monkeypatch.setattr(spectral_gap, "STORED", 10)
+    assert ask("algebraic_connectivity", "path:300").verdict == "UNDECIDED"
+    assert ask("printed_threshold", "path:300").verdict == "UNDECIDED"
+    monkeypatch.undo()
+    monkeypatch.setattr(spectral_gap, "DISTANCES", (1e-4,))
+    wide = ask("algebraic_connectivity", "path:300")
+    assert (wide.value, wide.verdict) == (None, "UNDECIDED")
+    assert wide.lower < 4 * math.sin(math.pi / 600) ** 2 < wide.upper
 
 
 @pytest.mark.parametrize(
