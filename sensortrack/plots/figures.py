@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 Record = Mapping[str, Any]
 PARTS = (("x", "sharp"), ("y", "printed"), ("z", "bound"))
+SCATTERED = 40
 NEVER = {"Date": None}
 """No date in a file, so that the same run gives the same bytes."""
 
@@ -129,15 +130,26 @@ def _beside_bounds(run: Record, what: str, unit: str) -> Figure:
         known = np.where(size > 0, size, np.nan)
         colour, width = (COLOURS["sharp"], 1.6) if own else (COLOURS["run"], 0.7)
         dash = "-" if own or estimate["name"] == "raw" else "--"
-        axes.semilogy(run["time"], known, dash, color=colour, lw=width, label=estimate["label"])
+        if _scattered(size):
+            dash = "."
+        axes.semilogy(
+            run["time"], known, dash, color=colour, lw=width, ms=2, label=estimate["label"]
+        )
     for bound in run.get("bounds", ()):
         if bound["quantity"] == f"{what} error":
             value = _array(bound["value"])
-            axes.semilogy(bound["time"], value, color=COLOURS["bound"], label="bound")
+            look = {"zorder": 1.5, "lw": 1.0} if "levels" in run else {}
+            axes.semilogy(bound["time"], value, color=COLOURS["bound"], label="bound", **look)
     _events(run, axes)
     axes.set(xlabel="time, s", ylabel=f"{what} error, {unit}")
     axes.legend(frameon=False, fontsize=7)
     return figure
+
+
+def _scattered(size: NDArray[np.float64]) -> bool:
+    """Whether an estimate comes and goes so often that a line would show nothing of it."""
+    known = np.isfinite(size)
+    return int((known[1:] != known[:-1]).sum()) > SCATTERED
 
 
 def _level(run: Record, quantity: str) -> Figure:

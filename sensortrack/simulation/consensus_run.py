@@ -44,6 +44,9 @@ class Trace:
     notes : list of (float, tuple of str)
     biased : bool
         Somebody failed without handing over, so that the others agree on another average.
+    inexact : (int, float)
+        Steps that are not exact up to rounding, and how far the worst may be off, in units of the
+        signal.
     """
 
     estimator: BearingDac
@@ -58,6 +61,7 @@ class Trace:
     restarts: Flags
     notes: list[tuple[float, tuple[str, ...]]]
     biased: bool = False
+    inexact: tuple[int, float] = (0, 0.0)
 
     def level(self, block: str) -> Floats:
         """Disagreement on the entries of P or q, the largest of them."""
@@ -116,6 +120,7 @@ class Follower:
         restarts, notes = [True], [(float(time[0]), state.notes)]
         before = self._signals(state)
         moves = [(np.zeros(before.shape[1]),) * 2]
+        errors = []
         for k, t in enumerate(time[1:], start=1):
             changed = self._membership(state, float(t))
             joined = changed.present
@@ -127,6 +132,7 @@ class Follower:
             moves.append(_moves(before, after, state.present))
             before = after
             rows.append(_row(estimator, state))
+            errors += [] if state.status.exact else [state.status.error]
             notes.append((float(t), state.notes))
         positions, known, present, apart, average = map(np.array, zip(*rows, strict=True))
         moved, spread = map(np.array, zip(*moves, strict=True))
@@ -144,6 +150,7 @@ class Follower:
             np.array(restarts),
             notes,
             any(fault.kind == "fails" for fault in self.scenario.faults),
+            (len(errors), max(errors, default=0.0)),
         )
 
     def _signals(self, state: BearingState) -> Floats:

@@ -142,7 +142,7 @@ def test_isotropic_signs_keep_what_is_known_positive_and_entries_apart_do_not():
     """A target at rest: the P_x of all sensors stay in the disc in which they start."""
     rng = np.random.default_rng(11)
     broken = 0
-    for _ in range(25):
+    for _ in range(12):
         angles = [Bearing(n, a) for n, a in zip(NAMES, rng.uniform(0, np.pi, 5), strict=True)]
         for sign in ("isotropic", "componentwise"):
             e = estimator(RING, sign=sign, beta_P=1.0, beta_q=50.0, det_min=0.0)
@@ -197,6 +197,17 @@ def test_the_origin_changes_the_way_but_not_where_it_leads():
     plain = run(estimator(), 20)
     moved = run(estimator(origin=(300.0, -200.0), beta_q=20000.0), 20)
     assert plain.positions == pytest.approx(moved.positions, abs=1e-9)
+
+
+@pytest.mark.parametrize("method,sign", [("explicit", "componentwise"), ("explicit", "isotropic")])
+def test_twice_the_unit_of_length_halves_the_numbers_bit_by_bit(method, sign):
+    """A power of two, so that nothing is rounded; P has no unit, q that of length."""
+    one = estimator(RING, method=method, sign=sign)
+    places = {name: place / 2 for name, place in POSITIONS.items()}
+    other = BearingDac(RING, places, 30.0, 750.0, H, method=method, sign=sign)
+    a, b = (run(e, 12) for e in (one, other))
+    assert (b.x * [1, 1, 2, 2]).tobytes() == a.x.tobytes()
+    assert np.array_equal(b.positions * 2, a.positions, equal_nan=True)
 
 
 def test_the_reduced_state_is_the_first_row_of_the_printed_one():

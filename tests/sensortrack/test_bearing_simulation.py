@@ -2,6 +2,7 @@
 
 import copy
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -235,3 +236,24 @@ def test_the_poster_says_what_it_assumes_and_has_its_printed_gain():
     scenario = read_scenario("george_numerical")
     assert scenario.estimator.beta_P == pytest.approx(1 + 100 * 5**0.5 / 0.4, abs=0.005)
     assert any("lambda_2" in text for text in scenario.header.assumptions)
+
+
+@pytest.mark.parametrize("name,length", [("george_numerical", 0.12), ("bearing_abilene", 12.0)])
+def test_shipped_scenarios_do_what_their_words_say(name, length):
+    """The first part of each: exact agreement, so that every sensor has what least squares has."""
+    scenario = read_scenario(name)
+    head = replace(scenario.header, duration_s=length, summary_from_s=length / 2)
+    found = simulate(replace(scenario, header=head))
+    rms = {row["estimate"]: row["position_rms"] for row in found.summary}
+    assert rms["bearing_dac"] == pytest.approx(rms["least_squares"], rel=1e-6, abs=1e-11)
+    explicit, off = found.estimates["explicit"][0], found.errors("explicit")[0]
+    assert np.isnan(explicit).any() or np.nanmedian(off) > 10
+    if name == "george_numerical":
+        assert rms["bearing_dac"] < 1e-12
+
+
+def test_steps_that_are_not_exact_are_noted():
+    slow = (("estimator", "sign"), "isotropic"), (("estimator", "beta_q"), 50.0)
+    found = run(*slow, (("network", "family"), "complete:4"), (("baselines",), []))
+    assert any("steps within" in note for note in found.notes)
+    assert found.errors("bearing_dac")[0][-1] < 1e-10

@@ -136,7 +136,11 @@ def run(scenario: Scenario, seed: int, time: Floats, target: tuple[Floats, Float
         estimates=_distributed(traces, shown) | _central(scenario, seen),
         labels={name: _label(name, names[shown]) for name in LABELS},
         parameters=_parameters(scenario, network),
-        notes=(*merged(own.notes), *_expected(scenario, time, path[0][:, :2], seen)),
+        notes=(
+            *merged(own.notes),
+            *_inexact(own),
+            *_expected(scenario, time, path[0][:, :2], seen),
+        ),
         events=(*outage_events(scenario), *_milestones(own, time)),
         extra=_extra(network, traces, path[0]),
     )
@@ -173,6 +177,12 @@ def _central(scenario: Scenario, angles: Floats) -> dict[str, tuple[Floats, Floa
         place, rate = filtered(scenario, angles)
         made["ekf"] = (_placed(place), _placed(rate))
     return made
+
+
+def _inexact(own: Trace) -> tuple[str, ...]:
+    """Steps of the consensus that were found within a tolerance only, as a note."""
+    count, error = own.inexact
+    return (f"{count} steps within {error:.2g} of the exact ones",) if count else ()
 
 
 def _expected(scenario: Scenario, time: Floats, target: Floats, seen: Floats) -> tuple[str, ...]:
