@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from sensortrack.networks import Network
 
 
 @dataclass(frozen=True)
@@ -103,6 +106,10 @@ class Designed:
     verdict : str, optional
     certificate : dict, optional
     notes : tuple of str, optional
+    edges : tuple of (str, str), optional
+        Edges to add, by the names of their ends.
+    network : Network, optional
+        The network with them.
     """
 
     gains: Mapping[str, Any] = field(default_factory=dict)
@@ -111,6 +118,8 @@ class Designed:
     verdict: str = "UNDECIDED"
     certificate: dict[str, Any] | None = None
     notes: tuple[str, ...] = ()
+    edges: tuple[tuple[str, str], ...] = ()
+    network: Network | None = None
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from verification.exact.rationals import nearest as nearest_double
 from verification.files import certificate_text, require_folder, write_text
 from verification.input_kinds import brief, nearest
 from verification.inputs import read_inputs
+from verification.plain_text import harmless
 from verification.systems import SYSTEMS
 
 from . import given
@@ -57,6 +58,8 @@ def run(options: argparse.Namespace) -> int:
         "certificate": path,
         "notes": list(found.notes),
     }
+    if found.edges:
+        document["edges"] = [list(edge) for edge in found.edges]
     print(json.dumps(document) if options.json else "\n".join(_lines(document)))
     return STATUS.get(found.verdict, NO_ANSWER)
 
@@ -108,6 +111,10 @@ def _written(folder: Path, found: Designed) -> str | None:
     folder.mkdir(parents=True, exist_ok=True)
     gains = {name: _plain(value) for name, value in found.gains.items()}
     write_text(folder / "gains.json", json.dumps(gains, indent=1) + "\n")
+    if found.network is not None:
+        from sensortrack.network_writing import graphml_text
+
+        write_text(folder / "graph.graphml", graphml_text(found.network))
     path = folder / "certificate.json"
     write_text(path, certificate_text(found.certificate))
     return str(path)
@@ -116,10 +123,13 @@ def _written(folder: Path, found: Designed) -> str | None:
 def _lines(document: Mapping[str, Any]) -> list[str]:
     """The choice for a reader, a line each."""
     lines = [f"{document['system']}: {document['design']}", f"  {document['objective']}", ""]
-    lines += [f"  {name:<13}{json.dumps(x)}" for name, x in (document["gains"] or {}).items()]
-    lines += [f"  {name:<13}{x:.10g} (certified)" for name, x in (document["bound"] or {}).items()]
+    edges = [f"{brief(a)} – {brief(b)}" for a, b in document.get("edges", ())]
+    lines += [f"  {'edge to add':<12} {edge}" for edge in edges]
+    lines += [f"  {name:<12} {json.dumps(x)}" for name, x in (document["gains"] or {}).items()]
+    lines += [f"  {name:<12} {x:.10g} (certified)" for name, x in (document["bound"] or {}).items()]
     lines.append(f"  verdict      {document['verdict']}")
     if document["certificate"]:
         lines.append(f"  certificate  {document['certificate']}")
         lines.append(f"  check        sensortrack check {document['certificate']}")
-    return lines + [f"  note         {note}" for note in document["notes"]]
+    lines += [f"  note         {note}" for note in document["notes"]]
+    return [harmless(line) for line in lines]

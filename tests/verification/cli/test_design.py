@@ -4,11 +4,13 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from verification.certificates import check
 from verification.cli.main import main
+from verification.systems import SYSTEMS
 
 WISH = ["design", "variational", "--set", "decay=0.5", "--set", "h=0.1"]
 
@@ -73,7 +75,7 @@ def test_nothing_found_is_no_answer_and_writes_nothing(tmp_path, capsys):
     "arguments, name, word",
     [
         (["variationel"], "variationel", "variational"),
-        (["bearing_dac"], "bearing_dac", "choose"),
+        (["bearing_dac"], "input", "nothing given"),
         (["variational"], "input", "nothing given"),
         (["variational", "--set", "deca=1"], "deca", "decay"),
         (["variational", "--set", "decay=1"], "input", "decay given"),
@@ -86,6 +88,12 @@ def test_misuse_names_the_input(capsys, arguments, name, word):
     said = capsys.readouterr().err
     assert said.startswith(f"sensortrack: {name}:")
     assert word in said
+
+
+def test_a_system_without_choices_says_so(capsys, monkeypatch):
+    monkeypatch.setitem(SYSTEMS, "toy", SimpleNamespace(design=None))
+    assert main(["design", "toy"]) == 2
+    assert capsys.readouterr().err.startswith("sensortrack: toy: nothing to choose;")
 
 
 def test_a_folder_that_holds_something_is_refused(tmp_path, capsys):
