@@ -198,7 +198,15 @@ def _point(name: str, given: object) -> tuple[Fraction, ...]:
 def _points(name: str, given: object) -> tuple[tuple[Fraction, ...], ...]:
     if not isinstance(given, list) or not given:
         raise InputError(name, shown(given), "a list of points of two numbers is needed")
-    return tuple(_point(f"{name}[{i}]", value) for i, value in enumerate(given))
+    return tuple(_point_of(name, i, value) for i, value in enumerate(given, start=1))
+
+
+def _point_of(name: str, place: int, given: object) -> tuple[Fraction, ...]:
+    """One point of a list; the error says which."""
+    try:
+        return _point(name, given)
+    except InputError as error:
+        raise InputError(name, f"point {place}: {error.found}", error.needed) from None
 
 
 def _links(name: str, given: object) -> str | tuple[tuple[tuple[str, str], ...], ...]:

@@ -217,3 +217,19 @@ def unbounded() -> tuple[Identity, ...]:
     words = (*FRAME_WORDS, "D", "l w", "k")
     goals = {"distance times (rate - bound) is d": -(L * (F.T * d * H)) - L * bound - more}
     return _family(relations, words, goals)
+
+
+def rate_factors() -> tuple[Form, Form]:
+    """What the squared angular speed is multiplied by to bound the squared rates of P and of q.
+
+    Returns
+    -------
+    Form
+        For an entry of P: DD less this times w^2 is zero in `rates`.
+    Form
+        For an entry of q, in the position ``q`` of the sensor: likewise for g'g.
+    """
+    goals = {entry.name: entry.goal for entry in rates()}
+    names = ("DD = w^2 I", "|rate of q| = |w| |position|")
+    for_p, for_q = (-goals[name].coefficient("w", 2) for name in names)
+    return for_p, for_q

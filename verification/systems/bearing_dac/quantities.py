@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from verification.answers import Condition, Input, Quantity
 
+from .disturbances import disturbance_bound
 from .entry_gains import entry_gains
 from .gains import decide_gain, gain_threshold, printed_threshold
 from .noise import noise_bias, noise_covariance, noise_cramer_rao
@@ -41,7 +42,7 @@ DROP = Input("drop", "number", "links that may be lost at the same time", "", "0
 TAU = Input("tau", "number", "length of an outage, at least 0", "s")
 V_MAX = Input("v_max", "number", "largest speed of the target, at least 0", "m/s")
 RHO_MIN = Input("rho_min", "number", "smallest distance of the target from a sensor", "m")
-POSITIONS = Input("positions", "points", "where the sensors are, one point a node", "m")
+POSITIONS = Input("positions", "points", "where the sensors are, one point a sensor", "m")
 
 QUANTITIES = (
     Quantity(
@@ -99,6 +100,13 @@ QUANTITIES = (
         "what |x| is at most in the long run under explicit steps of length h",
         (GRAPH, GAMMA, BETA, H),
         chattering_bound,
+        False,
+    ),
+    Quantity(
+        "disturbance_bound",
+        "gamma of bearing sensors: v_max/rho_min max(1, |s_i|), the least bound on all rates",
+        (V_MAX, RHO_MIN, POSITIONS),
+        disturbance_bound,
         False,
     ),
     Quantity(

@@ -110,7 +110,7 @@ def test_a_run_has_the_errors_that_the_note_says():
         ({"positions": [[0, 0], [30, 50]], "target": [15, 25]}, "target"),
         ({"positions": [[0, 0]]}, "target"),
         ({"positions": []}, "positions"),
-        ({"positions": [[0, 0, 1]]}, "positions[0]"),
+        ({"positions": [[0, 0, 1]]}, "positions"),
         ({"target": 3}, "target"),
     ],
 )
