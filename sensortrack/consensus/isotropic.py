@@ -9,6 +9,10 @@ is no farther from y_i, and no two of them are farther apart, because that map d
 there is one minimiser. So matrices P_x stay positive semidefinite. Where signals move, x_i is no
 farther from C than y_i, which is what the signal has moved.
 
+Agreement is kept for moves |dr_i| <= h gamma if beta is at least gamma times the congestion bound
+of a routing, the upper end of a certified bracket of the gain threshold: a routing is linear in
+what it routes, so that it carries vectors as it carries numbers.
+
 An explicit step keeps C while h beta (sum over the neighbours of 1/|x_i - x_j|) <= 1, because then
 it is a convex combination. Nearer to agreement it leaves C by h beta times the degree at most.
 """

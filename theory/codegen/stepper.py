@@ -40,7 +40,9 @@ class Assignment:
     target : str
         What is computed; ``next(x)`` is the value one sample later.
     tree : tuple
-        The right side.
+        The right side. Beside the language of laws, ``("entry", tree, i, j)`` is one number of a
+        matrix, ``("rows", (tree, tree), ...)`` a matrix of numbers, and ``("direction", tree)`` a
+        vector over its length, 0 for the vector 0.
     source : str
         Equation number, for the comment line.
     factor : tuple or None

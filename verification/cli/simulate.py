@@ -112,6 +112,7 @@ def lines_of(data: dict[str, Any]) -> list[str]:
         held = "held" if bound["holds"] else "CROSSED"
         reached = f"reached {100 * bound['reached']:.3g} %"
         lines.append(f"  bound, {bound['name']:<{names}}  {held}, {reached}")
+        lines += [f"         {bound['remark']}"] if "remark" in bound else []
     lines += [""] if data["events"] or data["notes"] else []
     lines += [f"  {event['time']:g} s: {event['text']}" for event in data["events"]]
     lines += [f"  note: {note}" for note in data["notes"]]

@@ -102,7 +102,7 @@ def bound_rows(run: Record) -> list[list[str]]:
         [
             entry["name"],
             f"{entry['of']}, {entry['quantity']}",
-            entry["statement"],
+            "; ".join(filter(None, (entry["statement"], entry.get("remark")))),
             "yes" if entry["holds"] else "no",
             f"{100 * float(entry['reached']):.3g} %",
         ]

@@ -33,6 +33,15 @@ class Profile:
     fewest: Floats
     gap: float
 
+    @property
+    def threshold(self) -> float:
+        """No smaller than the gain per unit of gamma that keeps agreement; infinite for parts."""
+        size = np.arange(1, len(self.fewest) + 1)
+        p = size * (self.n - size) / self.n
+        if not len(p):
+            return 0.0
+        return float((2 * p / self.fewest).max()) if (self.fewest > 0).all() else np.inf
+
     def rate(self, beta: Floats, gamma: Floats) -> Floats:
         """Rate r at which disagreement falls at least, in units of the signal per s.
 

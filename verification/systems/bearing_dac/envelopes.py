@@ -60,28 +60,25 @@ def envelopes(run: Mapping[str, Any]) -> list[dict[str, Any]]:
     made = []
     for block, unit, columns in _blocks(record["entries"]):
         level, high = apart[:, columns].max(axis=1), bound[:, columns].max(axis=1)
-        words = f"{STEPS}{_from_zero(run, ideal[:, columns])}{_printed(run, apart[0, columns])}"
-        made.append(_entry(run, f"disagreement on {block}", unit, high, level, words))
+        found = _entry(run, f"disagreement on {block}", unit, high, level, STEPS)
+        made.append(found | {"remark": _remark(run, ideal, columns)})
     return [*made, *_position(run, bound), *_chatter(run)]
 
 
-def _from_zero(run: Mapping[str, Any], bound: Floats) -> str:
-    """When agreement is proved for the first time, in words."""
-    zero = (bound == 0).all(axis=1)
-    if not zero.any():
-        return "; agreement is not proved within this run"
-    return f"; agreement proved at {run['time'][int(np.argmax(zero))]:.4g} s"
-
-
-def _printed(run: Mapping[str, Any], start: Floats) -> str:
-    """The paper's time for the same start, |x|/lambda_2 whatever the gain; links must stay."""
+def _remark(run: Mapping[str, Any], bound: Floats, columns: slice) -> str:
+    """When agreement is proved, when the paper has it, and what the gain would have to be."""
     record = run["consensus"]
+    zero = (bound[:, columns] == 0).all(axis=1)
+    when = f"{run['time'][int(np.argmax(zero))]:.4g} s" if zero.any() else "no time of this run"
+    said = f"agreement proved at {when}"
     if len(record["graphs"]) > 1 or len(record["present"]) > 1:
-        return ""
-    profile = profile_of(record["present"][0][1], np.array(run["links"], dtype=int).reshape(-1, 2))
-    if not profile.gap > 0:
-        return ""
-    return f", printed for {float(start.max()) / profile.gap:.4g} s"
+        return said
+    profile = _profiles(run)[0]
+    start = max(record["disagreement"][0][columns])
+    gamma = np.array(record["moved"], dtype=float)[:, columns].max() / float(run["parameters"]["h"])
+    share = max(record["beta"][columns]) / (profile.threshold * gamma) if gamma else np.inf
+    times = f"{share:.3g} times the least for the largest move"
+    return f"{said}, printed for {start / profile.gap:.4g} s; the gain is {times}"
 
 
 CHATTERS = (

@@ -11,7 +11,7 @@ from sensortrack.network_families import family_network
 from sensortrack.simulation import simulate
 from sensortrack.simulation.scenario import scenario_of
 from tests.sensortrack.test_bearing_simulation import changed
-from verification.exact.cuts import slowest
+from verification.exact.cuts import slowest, threshold
 from verification.systems.bearing_dac.cut_profiles import ENUMERATED, profile_of
 from verification.systems.bearing_dac.envelopes import envelopes
 
@@ -53,6 +53,14 @@ def test_the_rate_is_that_of_the_exact_settling_time(graph):
         assert size / rate[0] == pytest.approx(float(square) ** 0.5, rel=1e-6)
 
 
+@pytest.mark.parametrize("graph", GRAPHS)
+def test_the_threshold_is_the_exact_one(graph):
+    network = family_network(graph)
+    exact = threshold(network, [Fraction(1)] * network.n).value
+    found = profile_of(range(network.n), network.edges).threshold
+    assert found == pytest.approx(float(exact), rel=1e-12)
+
+
 def test_a_large_network_is_bounded_from_its_connectivity():
     for graph in ("cycle:40", "random_geometric:40,0.35,1", "grid:5,8"):
         network = family_network(graph)
@@ -70,6 +78,8 @@ def test_links_to_those_who_left_do_not_count_and_parts_have_no_rate():
     assert profile_of([0, 1, 3, 4], edges).fewest.tolist() == [1.0, 0.0]
     assert (profile_of([0, 2, 4], edges).rate(np.ones(2), np.ones(2)) < 0).all()
     assert np.isinf(profile_of([2], edges).rate(np.ones(1), np.ones(1))).all()
+    assert profile_of([2], edges).threshold == 0
+    assert np.isinf(profile_of([0, 2, 4], edges).threshold)
 
 
 @pytest.mark.parametrize("graph", ["cycle:4", "path:4", "complete:4"])
@@ -78,7 +88,9 @@ def test_every_bound_holds_without_noise_and_proves_agreement(graph):
     assert set(found) == {"disagreement on P", "disagreement on q", "position error"}
     for bound in found.values():
         assert bound["value"][-1] < 1e-8
-    assert "agreement proved at" in found["disagreement on q"]["statement"]
+    remark = found["disagreement on q"]["remark"]
+    assert "agreement proved at 0" in remark
+    assert "times the least" in remark
 
 
 @pytest.mark.parametrize(
@@ -115,7 +127,7 @@ def test_explicit_steps_stay_within_their_chattering_bound():
 def test_a_gain_below_the_moves_of_the_signals_proves_no_agreement():
     slow = [(("estimator", "beta_q"), 1.0), (("estimator", "beta_P"), 0.01)]
     found = held(ran(*slow, (("baselines",), ["least_squares"])))
-    assert "not proved" in found["disagreement on q"]["statement"]
+    assert "proved at no time" in found["disagreement on q"]["remark"]
 
 
 def test_a_run_that_breaks_the_law_of_its_steps_crosses_a_bound():
