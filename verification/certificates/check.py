@@ -158,6 +158,8 @@ class Cuts:
         self.unit = math.lcm(*(g.denominator for g in gamma)) * self.grain * self.b.denominator
         self.gamma = [int(g * self.unit) for g in gamma]
         self.total, self.near = sum(self.gamma), [{} for _ in nodes]
+        self.even = min(self.gamma) == max(self.gamma)
+        self.pushes = [1] * self.n if self.even else self.gamma  # that flows carry
         for i, j, w in self.edges:
             self.near[i][j] = self.near[j][i] = int(w * self.b * self.unit * self.n)
         self.q, self.r = (f / (spread * self.n * self.unit**2)).as_integer_ratio() if spread else (f > 0, 0)
@@ -210,20 +212,20 @@ class Cuts:
     def routing(self, unit, flows):
         """Flows that carry every disturbance: N/k is at most the largest load of an edge."""
         unit, loads = whole(unit), [0] * len(self.edges)
-        need(unit > 0 and not self.r, "a routing bounds the threshold only")
+        need(unit > 0, "no unit")
         for source, flow in enumerate(listed(flows, self.n)):
             net = [unit - self.n * unit * (i == source) for i in range(self.n)]
             for edge, amount in listed(flow, None, lambda pair: listed(pair, 2, whole)):
                 need(0 <= edge < len(loads), "a flow on no edge")
                 i, j, _ = self.edges[edge]
                 net[i], net[j] = net[i] + amount, net[j] - amount
-                loads[edge] += self.gamma[source] * abs(amount)
+                loads[edge] += self.pushes[source] * abs(amount)
             need(not any(net), f"the flow of node {source} leaks")
         self.settle(loads, self.n * unit)
     def cells(self, scale, levels):
         """Carries the means of cells, then of the cells within each, down to single nodes: their loads add up."""
         scale, home, loads = whole(scale), [0] * self.n, [0] * len(self.edges)
-        need(scale > 0 and not self.r, "a routing bounds the threshold only")
+        need(scale > 0, "no scale")
         for unit, cells, weights, sources in (listed(level, 4) for level in listed(levels)):
             inner = [(e, i, j, home[i]) for e, (i, j, _) in enumerate(self.edges) if home[i] == home[j]]
             self.proof.steps += 1 + (self.n + len(inner)) * len(listed(sources)) // 32
@@ -240,7 +242,7 @@ class Cuts:
                 links += [(i, up[i], place[min(i, up[i]), max(i, up[i])]) for i in walk[1:]]
             need(self.n - len(links) == len({*home}), "a cell is not connected")
             size, keys, parts = dict.fromkeys(home, 0), [*zip(home, cells)], {}
-            for g, key in zip(self.gamma, keys):
+            for g, key in zip(self.pushes, keys):
                 size[key[0]] += 1
                 parts.setdefault(key, []).append(g)
             for k, steps in enumerate(sources):  # of potentials along the trees
@@ -261,12 +263,16 @@ class Cuts:
         need(len({*home}) == self.n, "cells of several nodes are left")
         self.settle(loads, scale)
     def settle(self, loads, scale):
-        bound = max((x / w for x, (*_, w) in zip(loads, self.edges)), default=self.b) / (scale * self.unit)
-        if bound > self.b:  # then no value that N/k can take may lie above b, up to the bound
-            need(self.b > 0 and min(self.gamma) == max(self.gamma), f"the routing proves {bound} only")
-            for s in range(1, self.n // 2 + 1):
-                top = Fraction(2 * self.gamma[0] * s * (self.n - s) * self.grain, self.n * self.unit)
-                need(math.ceil(top / bound) >= top / self.b, f"a cut of {s} nodes may lie in the gap")
+        """N/k is at most the largest load; with one gamma, a cut of s nodes has a weight of at least c grains."""
+        top = max((x / w for x, (*_, w) in zip(loads, self.edges)), default=1) / scale
+        if not self.even:
+            return need(not self.r and top <= self.b * self.unit, f"the routing proves {top / self.unit} only")
+        degrees = sorted(map(len, self.near))
+        for s in range(1, self.n // 2 + 1):  # a node has at most s - 1 neighbours within
+            out = sum(max(d - s + 1, 0) for d in degrees[:s]) if s <= degrees[-1] else 0
+            c = max(1, out, math.ceil(Fraction(2 * s * (self.n - s) * self.grain, self.n) / top))
+            k = c * self.b * self.unit * self.n / self.grain
+            need(self.clear(k, self.load(s, s * self.gamma[0]), s), f"a cut of {s} nodes may fail")
 
 class Proof:
     """Evaluates the predicates of one statement and takes the witness items in order."""

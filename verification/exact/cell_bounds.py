@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 import numpy as np
@@ -121,6 +121,10 @@ def route_by_cells(task: Problem, low: Fraction, steps: int) -> CellRouting:
     ArithmeticError
         Weights or bounds are too unlike each other for doubles or 64 bits.
     """
+    if task.even and (task.gamma[0], task.gamma_unit) != (1, 1):  # as the checker: rounded once
+        gamma = Fraction(task.gamma[0], task.gamma_unit)
+        found = route_by_cells(task.with_unit_bounds(), low / gamma, steps)
+        return replace(found, up=found.up * gamma)
     wires = wiring(task.n, task.edges)
     unit = max(task.gamma) * Fraction(task.weight_unit, max(task.weights) * task.gamma_unit)
     goal = float(low / unit)

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from fractions import Fraction
 from functools import cached_property
@@ -112,6 +112,10 @@ class Problem:
     def even(self) -> bool:
         """Whether all nodes have the same bound."""
         return len(set(self.gamma)) == 1
+
+    def with_unit_bounds(self) -> Problem:
+        """The same network with the bound one at every node."""
+        return replace(self, gamma=(1,) * self.n, gamma_unit=1)
 
     @cached_property
     def largest_loads(self) -> tuple[int, ...]:

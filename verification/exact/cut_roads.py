@@ -16,6 +16,7 @@ from .cell_routing import CellRouting
 from .cut_local import congested_cut, good_cut
 from .cut_orders import orders
 from .cut_problem import Aim, Hurdle, Problem
+from .cut_rates import routed_hurdle
 from .cut_search import LARGEST, Found, Walk
 from .large_cuts import large_cut
 from .routing import Routing, better_routing, closes, first_routing
@@ -37,6 +38,9 @@ LONG_NODES = 40
 
 EXPLICIT = 250
 """Up to this size flows are written down, edge by edge; in larger networks they go by cells."""
+
+NO_LOAD = Hurdle(0, 1)
+"""A hurdle that no load passes."""
 
 LOOSER = tuple(Fraction(k, 1000) for k in (1003, 1010, 1030, 1100, 1300, 2000, 4000, 16000))
 """Factors by which a hurdle is weakened where it cannot be shown."""
@@ -131,8 +135,9 @@ def solve(task: Problem, start: Hurdle, aim: Aim, budget: Budget) -> Solved:
         solved = _searched(task, solved, aim, min(limit, budget.visits), count)
         if solved.hurdle is None or solved.closed:
             return solved
-        if aim is Aim.RATIO and limit == LIMITS[0]:
-            solved = _routed(task, start, solved, budget)
+        if limit == LIMITS[0]:
+            road = _routed if aim is Aim.RATIO else _rated
+            solved = road(task, start, solved, budget)
             if solved.closed or task.n > EXPLICIT:
                 return solved
     solved = _valued(task, solved, aim, budget)
@@ -148,7 +153,7 @@ def refute_or_show(task: Problem, hurdle: Hurdle, budget: Budget) -> Cut | Shown
         A cut that does not pass, or the witness that all cuts do, or None.
     """
     if len(task.edges) == task.n - 1:
-        solved = _tree(task, Hurdle(0, 1), Aim.RATIO)
+        solved = _tree(task, NO_LOAD, Aim.RATIO)
         passes = hurdle.clears(task.n, *task.measure(solved.cut))
         return Shown(hurdle, {"kind": "tree"}) if passes else solved.cut
     if task.n > LARGEST:
@@ -260,6 +265,26 @@ def _routed(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Sol
     return _with_routing(task, solved, routing)
 
 
+def _rated(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solved:
+    """What a routing of even disturbances shows about the rate."""
+    if not task.even or solved.hurdle is None:
+        return solved
+    unit = task.with_unit_bounds()
+    look = good_cut if task.n <= SMALL else large_cut
+    cut = look(unit, NO_LOAD, Aim.RATIO)
+    ratio = _routed(
+        unit, NO_LOAD, _with(unit, NO_LOAD, Aim.RATIO, Solved((), NO_LOAD), cut), budget
+    )
+    if ratio.shown is None:
+        return solved
+    up = unit.ratio(ratio.shown.hurdle)
+    hurdle = routed_hurdle(task, start, solved.hurdle, up)
+    if hurdle is None:
+        return solved
+    shown = replace(ratio.shown, hurdle=hurdle)
+    return replace(solved, shown=shown, complete=hurdle == solved.hurdle)
+
+
 def _carried(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solved:
     """The same for a large network, by cells."""
     assert solved.hurdle is not None
@@ -299,13 +324,20 @@ def _loosened(task: Problem, solved: Solved, aim: Aim, limit: int) -> Solved:
     walk = Walk(task, next(orders(task)))
     for factor in LOOSER:
         hurdle = _weaker(solved.hurdle, aim, factor)
-        if solved.shown is not None and task.ratio(solved.shown.hurdle) <= task.ratio(hurdle):
+        if solved.shown is not None and _as_strong(task, aim, solved.shown.hurdle, hurdle):
             break
         found = walk.search(hurdle, Aim.FAILURE, limit)
         if found.done and found.cut is None:
             part = {"kind": "enumeration", "order": list(walk.order)}
             return replace(solved, shown=Shown(hurdle, part, found.visits))
     return solved
+
+
+def _as_strong(task: Problem, aim: Aim, one: Hurdle, other: Hurdle) -> bool:
+    """Whether one hurdle says as much as the other."""
+    if aim is Aim.RATIO:
+        return task.ratio(one) <= task.ratio(other)
+    return one.d**2 * other.q >= other.d**2 * one.q
 
 
 def _weaker(hurdle: Hurdle, aim: Aim, factor: Fraction) -> Hurdle:

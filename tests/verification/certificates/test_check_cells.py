@@ -184,10 +184,12 @@ def test_a_bound_below_the_threshold_is_not_believed():
         assert not accepts(ABOVE, [cuts(ring_cells())], inputs, THRESHOLD)
 
 
-def test_cells_bound_the_threshold_only():
+def test_cells_say_nothing_about_rates_under_unlike_bounds():
     inputs = {"graph": RING, "gamma": "3", "b": "9", "f": "99", "e": ["1", "0", "0", "0"]}
-    assert not accepts(CLEAR, [cuts(ring_cells())], inputs, KINDS)
-    assert accepts(CLEAR, [cuts(ring_cells())], inputs | {"e": ["0"] * 4}, KINDS)
+    unlike = inputs | {"gamma": ["3", "3", "3", "2"]}
+    assert accepts(CLEAR, [cuts(ring_cells())], inputs, KINDS)
+    assert not accepts(CLEAR, [cuts(ring_cells())], unlike, KINDS)
+    assert accepts(CLEAR, [cuts(ring_cells())], unlike | {"e": ["0"] * 4}, KINDS)
 
 
 def test_a_routing_by_cells_stops_at_the_budget(monkeypatch):

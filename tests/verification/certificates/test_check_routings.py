@@ -119,10 +119,29 @@ def test_a_detour_counts_both_ways():
     assert accepts(ABOVE, [cuts(ring_routing())], ring_inputs("9", gamma), THRESHOLD)
 
 
-def test_a_routing_bounds_the_threshold_only():
+def test_a_routing_says_nothing_about_rates_under_unlike_bounds():
     inputs = {"graph": RING, "gamma": "3", "b": "9", "f": "99", "e": ["1", "0", "0", "0"]}
-    assert not accepts(CLEAR, [cuts(ring_routing())], inputs, KINDS)
-    assert accepts(CLEAR, [cuts(enumeration(0, 1, 2, 3))], inputs, KINDS)
+    unlike = inputs | {"gamma": ["3", "3", "3", "2"]}
+    for witness in (cuts(ring_routing()), cuts(enumeration(0, 1, 2, 3))):
+        assert accepts(CLEAR, [witness], inputs, KINDS)
+    assert not accepts(CLEAR, [cuts(ring_routing())], unlike, KINDS)
+    assert accepts(CLEAR, [cuts(enumeration(0, 1, 2, 3))], unlike, KINDS)
+
+
+@given(routings(), st.sampled_from([Fraction(0), Fraction(1), Fraction(3, 2)]), st.data())
+def test_a_routing_shows_no_rate_that_some_cut_does_not_keep(routing, gamma, more):
+    network, unit, flows = routing
+    error = [Fraction(1), *[Fraction(0)] * (network.n - 1)]
+    every = list(all_cuts(network, [gamma] * network.n, error))
+    b = more.draw(rationals(Fraction(1, 2), 6, 3))
+    gaps = [(b * k - load, p, spread) for _, k, load, p, spread in every]
+    least = min(gap for gap, _, _ in gaps)
+    witness = cuts({"kind": "routing", "unit": unit, "flows": flows})
+    inputs = {"graph": network.to_data(), "gamma": str(gamma), "b": str(b), "e": [*map(str, error)]}
+    sharp = max(spread * p / gap**2 for gap, p, spread in gaps) if least > 0 else Fraction(100)
+    for f in (sharp * Fraction(999, 1000), sharp, sharp * 9, sharp * 10**6):
+        believed = accepts(CLEAR, [witness], inputs | {"f": str(f)}, KINDS)
+        assert not believed or (least > 0 and f >= sharp)
 
 
 @given(st.lists(connected_networks(max_nodes=3, weighted=True), min_size=2, max_size=2), SMALL)

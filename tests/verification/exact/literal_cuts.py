@@ -24,6 +24,15 @@ class Component:
         self.pairs = [(int(i), int(j)) for i, j in network.edges]
         self.weights = list(network.weights or [Fraction(1)] * network.m)
 
+    @property
+    def even(self) -> bool:
+        return len(set(self.gamma)) == 1
+
+    @property
+    def pushes(self) -> list[Fraction]:
+        """What flows carry: with one bound the unit, which bounds the weights of cuts."""
+        return [Fraction(1)] * self.n if self.even else self.gamma
+
     def k(self, inside: set[int]) -> Fraction:
         return sum(
             (
@@ -147,8 +156,6 @@ def enumeration(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[
 
 
 def routing(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
-    if e:
-        raise Refused("a routing says nothing about rates")
     unit = part["unit"]
     loads = [Fraction(0)] * len(c.pairs)
     for source, flow in enumerate(part["flows"]):
@@ -156,22 +163,26 @@ def routing(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str,
         for edge, value in flow:
             net[c.pairs[edge][0]] += value
             net[c.pairs[edge][1]] -= value
-            loads[edge] += c.gamma[source] * abs(value) / (c.n * unit * c.weights[edge])
+            loads[edge] += c.pushes[source] * abs(value) / (c.n * unit * c.weights[edge])
         if net != [unit * (c.n * (i == source) - 1) for i in range(c.n)]:
             raise Refused(f"the flow of {source}")
-    settle(c, b, max(loads))
+    settle(c, b, f, e, max(loads))
 
 
 def cells(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
-    if e:
-        raise Refused("a routing says nothing about rates")
-    settle(c, b, max(cell_loads(c, part)))
+    settle(c, b, f, e, max(pushed_loads(c, part)))
 
 
 def cell_loads(c: Component, part: dict[str, Any]) -> list[Fraction]:
-    """Load of each edge over its weight, home after home."""
+    """Load of each edge over its weight."""
+    factor = c.gamma[0] if c.even else Fraction(1)
+    return [factor * load for load in pushed_loads(c, part)]
+
+
+def pushed_loads(c: Component, part: dict[str, Any]) -> list[Fraction]:
+    """The same for what flows carry, home after home."""
     loads = [Fraction(0)] * len(c.pairs)
-    grain = part["scale"] * math.lcm(*(bound.denominator for bound in c.gamma))
+    grain = part["scale"] * math.lcm(*(bound.denominator for bound in c.pushes))
     homes = [list(range(c.n))]
     for unit, place, weights, sources in part["levels"]:
         within = [pair for pair in c.pairs if any(set(pair) <= set(home) for home in homes)]
@@ -195,7 +206,7 @@ def cell_loads(c: Component, part: dict[str, Any]) -> list[Fraction]:
                     for j in ancestors(tree, i)[:-1]:
                         up = tree[j]
                         flow[min(j, up), max(j, up)] += net[i] if j < up else -net[i]
-                mean = sum(c.gamma[i] for i in cell) / Fraction(len(cell))
+                mean = sum(c.pushes[i] for i in cell) / Fraction(len(cell))
                 factor = mean / (len(home) * unit)
                 factor = Fraction(math.ceil(factor * grain), grain)
                 for pair, amount in flow.items():
@@ -230,21 +241,18 @@ def ancestors(tree: dict[int, int | None], node: int) -> list[int]:
     return found
 
 
-def settle(c: Component, b: Fraction, up: Fraction) -> None:
-    if b >= up:
+def settle(c: Component, b: Fraction, f: Fraction, e: Fraction, up: Fraction) -> None:
+    """What the largest load says: with one bound, how little a cut of s nodes may weigh."""
+    if not c.even:
+        if e or b < up:
+            raise Refused("the routing shows less")
         return
-    if len(set(c.gamma)) > 1 or b <= 0:
-        raise Refused("the routing shows less")
-    grain = Fraction(1)
-    for w in c.weights:
-        grain = Fraction(1, (grain.denominator * w.denominator))
+    grain = Fraction(1, math.lcm(*(w.denominator for w in c.weights)))
     for s in range(1, c.n):
-        top = 2 * c.gamma[0] * c.p(s)
-        least = top / up // grain  # multiples of the grain from here on may be weights of cuts
-        while (k := least * grain) <= top / b:
-            if k > 0 and b < top / k <= up:
-                raise Refused(f"{s} nodes and weight {k} lie in the gap")
-            least += 1
+        outside = sorted(max(sum(i in pair for pair in c.pairs) - s + 1, 0) for i in range(c.n))
+        least = max(1, sum(outside[:s]), math.ceil(2 * c.p(s) / up / grain)) * grain
+        if not clear(b, f, e, least, 2 * c.gamma[0] * c.p(s), c.p(s)):
+            raise Refused(f"{s} nodes and weight {least} may fail")
 
 
 def check_reaches(

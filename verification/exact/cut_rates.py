@@ -1,0 +1,71 @@
+"""What a routing says about rates: a bound on the threshold is a bound on every cut's weight.
+
+If 2 p/k <= g for all cuts of a connected network, a cut of s nodes has a weight of at least 2 p/g,
+p = s (n - s)/n. Weights are multiples of a unit fraction, so that this may be rounded up. In a
+small cut a node has at most s - 1 of its neighbours beside it, and the others are across. With one
+bound gamma for all nodes N depends on s alone, and the least (beta k - N)/sqrt(p) follows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+
+from .cut_problem import Hurdle, Problem
+
+
+def least_weights(task: Problem, up: Fraction) -> Iterator[tuple[int, int, int]]:
+    """Least weight, load and size of the cuts of s = 1, ..., n/2 nodes.
+
+    Parameters
+    ----------
+    task : Problem
+        One bound for all nodes.
+    up : Fraction
+        Upper bound on 2 p/k, positive.
+
+    Yields
+    ------
+    tuple of int
+        k in the task's unit, at least 1; N times n and the unit of gamma; s.
+    """
+    n, gamma = task.n, task.gamma[0]
+    factor = Fraction(2 * task.weight_unit, n) / up
+    top, bottom = factor.numerator, factor.denominator
+    degrees = np.sort(np.bincount(task.edges.ravel(), minlength=n))
+    for s in range(1, n // 2 + 1):
+        few = s <= degrees[-1]
+        out = int(np.maximum(degrees[:s] - (s - 1), 0).sum()) if few else 0
+        yield max(1, out, -(-top * s * (n - s) // bottom)), task.load(s, s * gamma), s
+
+
+def routed_hurdle(task: Problem, start: Hurdle, goal: Hurdle, up: Fraction) -> Hurdle | None:
+    """The strongest hurdle of rate that a bound on 2 p/k shows for all cuts.
+
+    Parameters
+    ----------
+    task : Problem
+        One bound for all nodes.
+    start : Hurdle
+        Carries b and c.
+    goal : Hurdle
+        That of the best cut known; it is returned if all cuts clear it.
+    up : Fraction
+        Upper bound on 2 p/k.
+
+    Returns
+    -------
+    Hurdle or None
+        None if no rate above 0 is shown.
+    """
+    found = goal
+    for k, load, s in least_weights(task, up):
+        if not found.clears(task.n, k, load, s):
+            gap = start.b * k - start.c * load
+            if gap <= 0:
+                return None
+            found = replace(start, q=s * (task.n - s), d=gap)
+    return found
