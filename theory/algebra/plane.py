@@ -122,8 +122,9 @@ def information() -> tuple[Identity, ...]:
         "2P_12 = -sin of twice the bearing": 2 * (U.T * info * V) + 2 * (S * C),
         "Pq is what is averaged beside P": G - info * Q,
     }
-    relations = (*AXES, *BEARING, G - H * H.T * Q)
-    return _family(relations, (*AXES_WORDS, *BEARING_WORDS, "g"), goals)
+    relations = (*FRAME[:3], U.T * H + S, V.T * H - C, C * C + S * S - ONE, G - H * H.T * Q)
+    words = (*FRAME_WORDS[:3], "u' h", "v' h", "s**2", "g")
+    return _family(relations, words, goals)
 
 
 def rates() -> tuple[Identity, ...]:
@@ -185,9 +186,10 @@ def fastest() -> tuple[Identity, ...]:
     """
     (d,) = letters("D", ("D",))
     w, size = scalars("w S")
-    twice = (C * C - S * S) * U + 2 * (C * S) * V
-    relations = (*AXES, *BEARING, d + w * (F * H.T + H * F.T), Q - size * twice)
-    words = (*AXES_WORDS, *BEARING_WORDS, "D", "q")
+    back = (U - C * F + S * H, V - S * F - C * H, C * C + S * S - ONE)
+    twice = C * F + S * H  # a bearing's angle beyond f
+    relations = (*FRAME[:3], *back, d + w * (F * H.T + H * F.T), Q - size * twice)
+    words = (*FRAME_WORDS[:3], "u", "v", "s**2", "D", "q")
     goals = {
         "along f and h, P changes at the rate w": F.T * d * H + w,
         "the first entry of q rests": U.T * d * Q,

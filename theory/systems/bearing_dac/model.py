@@ -4,6 +4,12 @@ Each of the six entries that the sensors average has its own copy of the consens
 and e_x stand for one entry of all n sensors. Its unit is left open ("c"): 1 for the entries of P, m
 for those of q. The printed beta is common to all six, which the units do not allow in general.
 
+The law for w is printed with sgn, and so has no solution that stays in agreement. It is read as a
+differential inclusion: the derivative of w is -beta B g for some selection g of SGN(B'x), where the
+set-valued SGN is {-1}, [-1, 1] or {1} below, at and above zero. For the error this is
+d(e_x) in -beta B SGN(B' e_x) + M d(r), minus beta times the subdifferential of the total variation
+|B' e_x|_1, plus the disturbance: it has exactly one solution from every start.
+
 References
 ----------
 J. George, *Distributed Tracking of Maneuvering Target: A Finite-Time Algorithm*, Algorithm 1.
@@ -13,6 +19,7 @@ from __future__ import annotations
 
 from ...system import Guard, Law, Parameter, Signal, System
 from .claims import CLAIMS
+from .gaps import GAPS
 
 SIGNALS = (
     Signal("p", (2,), "m", "inertial", "position of the target"),
@@ -76,6 +83,7 @@ SYSTEM = System(
     laws=LAWS,
     guards=GUARDS,
     claims=CLAIMS,
+    gaps=GAPS,
     dimensions={"n": "number of sensors", "m": "number of links"},
     units={"c": "unit of the averaged entry: 1 for entries of P, m for entries of q"},
 )

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from sensortrack.networks import Network
+from sensortrack.networks import Network, read_network
 from verification.adversary.small_graphs import connected_graphs
 from verification.certificates.make import certificate
 from verification.exact.solving import solved
@@ -127,6 +127,28 @@ def time_counterexamples(largest: int) -> Iterator[Counterexample]:
     """
     for network in _graphs(largest):
         found = (_late(network, gamma) for gamma in GAMMAS_OF_TIME)
+        late = next((example for example in found if example), None)
+        if late:
+            yield late
+
+
+def complete_time_counterexamples(smallest: int, largest: int) -> Iterator[Counterexample]:
+    """Yield the complete graphs on which t* comes too early.
+
+    Parameters
+    ----------
+    smallest, largest : int
+        Numbers of nodes.
+
+    Yields
+    ------
+    Counterexample
+        As from `time_counterexamples`.
+    """
+    for nodes in range(smallest, largest + 1):
+        network = read_network(f"complete:{nodes}")
+        label = " ".join(f"{i}{j}" for i, j in network.edges.tolist())
+        found = (_late(replace(network, label=label), gamma) for gamma in GAMMAS_OF_TIME)
         late = next((example for example in found if example), None)
         if late:
             yield late

@@ -21,6 +21,7 @@ STATEMENTS: tuple[Statement, ...] = (
     consensus.path_of_three(),
     consensus.estimates(),
     consensus.from_four_on(),
+    *consensus.repairs_as_forms(),
     consensus.time_of_others(),
     positions.late_position(),
     positions.singular_later(),

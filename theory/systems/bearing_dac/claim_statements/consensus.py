@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ....algebra import averages, consensus
 from ....statements import Case, Statement
 from ..statements import COAREA, FIEDLER, SHIFTED
+from ..statements import STATEMENTS as THEOREM_1
 from ..universal import Universal
 
 FLOW_UNIQUE = "a maximal monotone inclusion has one solution from every start"
@@ -72,6 +75,15 @@ CONSENSUS: tuple[Universal, ...] = (
         "gamma^2 n, as |u_i| <= gamma gives: the flow q = B'Xu has Bq = Mu and, at a gain b with "
         "b^2 lambda_2 >= gamma^2 n, a length of at most b; so no |q_k| exceeds b, and q/b selects "
         "signs between -1 and 1 that keep the error at zero",
+        consensus.selected(),
+        SIGNS | SIZES,
+        (FIEDLER,),
+    ),
+    Universal(
+        "theorem_1_form_root",
+        "for every connected graph (P = L - lambda_2 M >= 0, LX = M) and every u with |u|^2 <= "
+        "gamma^2 n: at a gain b with b^2 lambda_2 >= gamma^2 n the flow q = B'Xu, Bq = Mu, is at "
+        "most b long, so that q/b is a selection of signs that keeps agreement",
         consensus.selected(),
         SIGNS | SIZES,
         (FIEDLER,),
@@ -237,6 +249,15 @@ def from_four_on() -> Statement:
         given=("P - L + l*M",),
         relies_on=(FIEDLER, COAREA),
     )
+
+
+def repairs_as_forms() -> tuple[Statement, ...]:
+    """What repairs Theorem 1 as printed, as forms of it: twice gamma over lambda_2 for the root."""
+    forms = {
+        "theorem_1_gain_repair": "theorem_1_form_twice",
+        "theorem_1_time_repair": "theorem_1_form_twice_one",
+    }
+    return tuple(replace(s, name=forms[s.name]) for s in THEOREM_1 if s.name in forms)
 
 
 def time_of_others() -> Statement:

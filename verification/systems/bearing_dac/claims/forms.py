@@ -73,7 +73,7 @@ def root() -> Decision:
         "At this gain the flow B'L^+u, divided by beta, selects signs that balance any "
         "disturbance, and above it the error falls at the rate beta sqrt(lambda_2) - gamma "
         "sqrt(n), as identities for every connected graph.",
-        proofs("theorem_1_stays_filippov", "theorem_1_form_root_one"),
+        proofs("theorem_1_form_root", "theorem_1_form_root_one"),
         "enough on every network, just enough on two sensors",
     )
 
@@ -97,7 +97,7 @@ def twice() -> Decision:
         "twice",
         "k >= lambda_2 p for every cut, from x'Lx >= lambda_2 |x|^2 at its indicator, for every "
         "connected graph.",
-        file_of("theorem_1_gain_repair", gain_repair()),
+        file_of("theorem_1_form_twice", gain_repair("theorem_1_form_twice")),
         "enough on every network, just enough on complete ones",
     )
 
@@ -108,7 +108,7 @@ def twice_one() -> Decision:
         "twice",
         "k >= 1 and k >= lambda_2 p for every cut give (beta k - 2 gamma p)^2 >= lambda_2 p, a "
         "polynomial with positive coefficients.",
-        file_of("theorem_1_time_repair", time_repair()),
+        file_of("theorem_1_form_twice_one", time_repair("theorem_1_form_twice_one")),
         "enough on every network",
         one=True,
     )
