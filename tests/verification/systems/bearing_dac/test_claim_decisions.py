@@ -2,11 +2,13 @@
 
 import copy
 import math
+import re
 from fractions import Fraction
 
 import numpy as np
 import pytest
 
+from tests.meta.repository import ROOT
 from theory.systems.bearing_dac import SYSTEM
 from theory.systems.bearing_dac.claim_statements import PROOFS, UNIVERSAL
 from verification.adversary.universal_graphs import FORMS, compared, order, table
@@ -172,3 +174,23 @@ def test_lambda_2_is_compared_exactly(label, square):
     network, hair = read_network(label), Fraction(1, 10**15)
     value = Fraction(math.isqrt(square))
     assert [order(network, value + shift) for shift in (-hair, 0, hair)] == [1, 0, -1]
+
+
+def test_the_table_of_the_page_is_the_one_that_is_computed():
+    page = (ROOT / "docs" / "systems" / "bearing_dac_theory.md").read_text()
+    shown = [line for line in page.splitlines() if re.match(r"\| \d \|", line)]
+    assert shown == ["| " + " | ".join(row[:-1]) + " |" for row in table()[1:]]
+
+
+@pytest.mark.parametrize("n", range(5, 12))
+def test_complete_graphs_are_late_below_the_stated_disturbance_only(n):
+    """Cuts of s nodes have s(n - s) links, p = s(n - s)/n, and lambda_2 = n."""
+    limit = n * (math.sqrt(n / (n - 1)) - 1) / (math.sqrt(n) - 2)
+
+    def rate(gamma):
+        beta = 1 + gamma * math.sqrt(n) / n
+        cuts = ((s * (n - s), s * (n - s) / n) for s in range(1, n))
+        return min((beta * k - 2 * gamma * p) / math.sqrt(p) for k, p in cuts)
+
+    assert rate(limit) == pytest.approx(n)
+    assert rate(0.99 * limit) < n < rate(1.01 * limit)

@@ -61,7 +61,7 @@ COUNT = Claim(
     title="More than two sensors are needed for a position",
     statement="The position needs rank H = 2 with more sensors than that, n > 2.",
     formula=r"\operatorname{rank} H = 2 < n",
-    sense="lower",
+    sense="threshold",
     assumes=(APART, EXACT),
     printed="n > 2",
 )

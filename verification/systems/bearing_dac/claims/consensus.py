@@ -130,8 +130,9 @@ def estimates() -> Decision:
     document = certificate(SYSTEM, "theorem_1_estimates", {}, squares(goal))
     return Decision(
         verdict=Verdict.PROVED,
-        reason="n^ lambda_2^2 - n lambda2^^2 is a polynomial with positive coefficients in the "
-        "slacks of both estimates; and every rate grows with beta.",
+        reason="n^ times the square of lambda_2, less n times the square of lambda2^, is a "
+        "polynomial with positive coefficients in the slacks of both estimates; and every rate "
+        "grows with beta.",
         printed="lambda2^ <= lambda_2",
         sharp="the same",
         margin_text="holds in this reading",
