@@ -152,15 +152,15 @@ static int beyond(int64_t a, int64_t limit)
 
 /* The flow floor(weight (x_i - x_j)/2^20) of one source, what it leaves at the nodes sent up the
  * trees, and its loads added. net holds the due outflow of each node, and zero at the roots in the
- * end. Returns 1 if a number is so large that another might not fit, else 0.
+ * end; sign is 1 where going up leaves the first end of an edge, else -1. Returns 1 if a number is so large that another might not fit, else 0.
  *
  * The caller keeps |x| below 2^61, what is due below 2^50, weights at most 2^20 and a node's
  * neighbours below 2^20. A product is at most 2^62, so a flow at most 2^42, and a repair at most
  * 2^40: no sum leaves 63 bits. */
 int32_t add_exact(int64_t n, int64_t m, const int32_t *first, const int32_t *second,
                   const int64_t *weight, const int64_t *x, const int32_t *up, const int32_t *via,
-                  const int32_t *order, const int32_t *home, const int64_t *share, int64_t largest,
-                  int64_t *net, int64_t *flow, int64_t *load)
+                  const int32_t *sign, const int32_t *order, const int32_t *home,
+                  const int64_t *share, int64_t largest, int64_t *net, int64_t *flow, int64_t *load)
 {
     for (int64_t e = 0; e < m; e++) {
         int32_t i = first[e], j = second[e];
@@ -177,7 +177,7 @@ int32_t add_exact(int64_t n, int64_t m, const int32_t *first, const int32_t *sec
             continue;
         if (beyond(net[i], INT64_C(1) << 40))
             return 1;
-        flow[via[i]] += i < j ? net[i] : -net[i];
+        flow[via[i]] += sign[i] * net[i];
         net[j] += net[i];
     }
     for (int64_t e = 0; e < m; e++) {

@@ -18,18 +18,19 @@ import numpy as np
 from .cell_flows import Level, Schedule, reweighted
 from .cell_routing import CellRouting, Integers, exact_routing, steps_of
 from .cells import hierarchy, numbered
+from .charts import Chart, chart
 from .cut_problem import Problem
 from .laplacian_solver import Floats
-from .wiring import Nodes, Wiring, wiring
+from .wiring import Nodes
 
 CELLS = 48
 """Cells of the first level."""
 
-BRANCHES = 16
-"""Cells of a cell on further levels."""
+BRANCHES = 40
+"""Most cells of a cell on further levels, about."""
 
-SMALLEST = 20
-"""Cells of at most so many nodes are split into single nodes."""
+SMALLEST = 16
+"""Cells of about so many nodes are split into single nodes."""
 
 EVERY = 1500
 """Up to so many nodes each is a cell of its own."""
@@ -40,9 +41,14 @@ FINE = 10_000
 LOOSE = Fraction(5, 4)
 """Ratio of bound and best cut from which on they do not do."""
 
+LONG = 300_000
+"""Nodes from which on there are fewer rounds."""
+
 LOCAL = (Schedule(16, 0.4, 8),)
 GLOBAL = (Schedule(16, 0.4, 6), Schedule(48, 0.65, 14))
 SHORT = (Schedule(24, 0.55, 8),)
+LOCAL_LONG = (Schedule(16, 0.4, 3),)
+GLOBAL_LONG = (Schedule(16, 0.4, 6), Schedule(48, 0.65, 8))
 
 CROWDED, USUAL = 0.6, 1.5
 """A cell whose own load exceeds this part of the best cut known, and so many times what nine cells
@@ -59,24 +65,25 @@ class Plan:
     Parameters
     ----------
     task : Problem
-    wires : Wiring
+    chart : Chart
     partitions : list of ndarray of int32, shape (n,)
-        All nodes in one, cells, single nodes.
+        All nodes in one, cells, single nodes, in the chart's order.
     """
 
     task: Problem
-    wires: Wiring
+    chart: Chart
     partitions: list[Nodes]
     gamma: Floats = field(init=False)
     capacity: Floats = field(init=False)
 
     def __post_init__(self) -> None:
-        self.gamma, self.capacity = _scaled(self.task.gamma), _scaled(self.task.weights)
+        self.gamma = _scaled(self.task.gamma)[self.chart.order]
+        self.capacity = _scaled(self.task.weights)[self.chart.walk]
 
-    def level(self, depth: int, order: Nodes | None = None) -> Level:
+    def level(self, depth: int) -> Level:
         """Homes and cells of one step, 0 the coarsest."""
         home, cell = self.partitions[depth : depth + 2]
-        return Level(self.wires, home, cell, self.gamma, self.capacity, order)
+        return Level(self.chart, home, cell, self.gamma, self.capacity)
 
     @property
     def depth(self) -> int:
@@ -94,10 +101,12 @@ def _scaled(numbers: Sequence[int]) -> Floats:
 
 def sizes(n: int, cells: int = CELLS) -> list[int]:
     """About how many nodes the cells of each level have."""
-    found = [max(1, n // cells)]
-    while found[-1] > SMALLEST:
-        found.append(max(1, found[-1] // BRANCHES))
-    return found if found[-1] == 1 else [*found, 1]
+    top = n // cells
+    if top <= 2 * SMALLEST:
+        return [max(1, top), 1] if top > 1 else [1]
+    levels = math.ceil(math.log(top / SMALLEST) / math.log(BRANCHES))
+    ratio = (top / SMALLEST) ** (1 / levels)
+    return [*(round(top / ratio**level) for level in range(levels + 1)), 1]
 
 
 def route_by_cells(task: Problem, low: Fraction, steps: int) -> CellRouting:
@@ -125,56 +134,54 @@ def route_by_cells(task: Problem, low: Fraction, steps: int) -> CellRouting:
         gamma = Fraction(task.gamma[0], task.gamma_unit)
         found = route_by_cells(task.with_unit_bounds(), low / gamma, steps)
         return replace(found, up=found.up * gamma)
-    wires = wiring(task.n, task.edges)
+    numbers = chart(task.n, task.edges)
     unit = max(task.gamma) * Fraction(task.weight_unit, max(task.weights) * task.gamma_unit)
     goal = float(low / unit)
     if task.n <= EVERY:
-        return _routed(task, wires, [1], goal, steps, GLOBAL)
-    found = _routed(task, wires, sizes(task.n), goal, steps, GLOBAL)
+        return _routed(task, numbers, [1], goal, steps, GLOBAL)
+    rounds = GLOBAL if task.n < LONG else GLOBAL_LONG
+    found = _routed(task, numbers, sizes(task.n), goal, steps, rounds)
     if task.n > FINE or found.up <= LOOSE * low:
         return found
     most = min(KEPT // task.n, 32 * steps // (2 * (task.n + len(task.edges))))
     fine = [math.ceil(task.n / most), 1] if most < task.n else [1]
-    return min(found, _routed(task, wires, fine, goal, steps, SHORT), key=lambda one: one.up)
+    return min(found, _routed(task, numbers, fine, goal, steps, SHORT), key=lambda one: one.up)
 
 
 def _routed(
     task: Problem,
-    wires: Wiring,
+    numbers: Chart,
     cell_sizes: list[int],
     low: float,
     steps: int,
     schedules: tuple[Schedule, ...],
 ) -> CellRouting:
     """Route with cells of these sizes; `low` is over the largest bound and weight."""
-    plan = Plan(task, wires, hierarchy(wires, cell_sizes))
-    levels: list[Level] = [plan.level(0)]
-    order = levels[0].solver.order
+    plan = Plan(task, numbers, hierarchy(numbers.wires, cell_sizes))
+    levels: list[Level] = []
     weights: list[Integers] = []
     base = np.zeros(len(plan.capacity))
     for depth in range(plan.depth - 1, 0, -1):
-        level, chosen = _local(plan, depth, order, base, low)
-        levels.insert(1, level)
+        level, chosen = _local(plan, depth, base, low)
+        levels.insert(0, level)
         weights.insert(0, chosen)
-    levels[0] = plan.level(0, order)
+    levels.insert(0, plan.level(0))
     found = reweighted(levels[0], base, schedules)
     weights.insert(0, found.weights)
     return exact_routing(task, levels, weights, _cost(levels) <= steps)
 
 
-def _local(
-    plan: Plan, depth: int, order: Nodes, base: Floats, low: float
-) -> tuple[Level, Integers]:
+def _local(plan: Plan, depth: int, base: Floats, low: float) -> tuple[Level, Integers]:
     """Route within the homes of one level, replacing crowded homes by their cells; base grows."""
-    level = plan.level(depth, order)
-    found = reweighted(level, base[level.edges], LOCAL)
+    level, local = plan.level(depth), LOCAL if plan.task.n < LONG else LOCAL_LONG
+    found = reweighted(level, base[level.edges], local)
     top = level.largest((base[level.edges] + found.loads) / level.capacity)
     crowded = top > max(CROWDED * low, USUAL * float(np.quantile(top, 0.9)))
     if crowded.any():
         home, cell = plan.partitions[depth : depth + 2]
         plan.partitions[depth] = numbered(np.where(crowded[home], cell + len(crowded), home))
-        level = plan.level(depth, order)
-        found = reweighted(level, base[level.edges], LOCAL)
+        level = plan.level(depth)
+        found = reweighted(level, base[level.edges], local)
     base[level.edges] += found.loads
     return level, found.weights
 

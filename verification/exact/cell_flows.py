@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from sensortrack.kernels import kernel
 
 from .cells import places
+from .charts import Chart
 from .laplacian_solver import Floats, Grounded
-from .wiring import Forest, Nodes, Wiring, call, forest
+from .wiring import Forest, Nodes, call
 
 COLUMNS = 16
 """How many sources are treated at a time."""
@@ -50,33 +51,27 @@ class Level:
 
     Parameters
     ----------
-    wires : Wiring
+    chart : Chart
+        Nodes and edges are numbered as in its `wires`.
     home, cell : ndarray of int32, shape (n,)
         Numbers from 0 on; each cell lies in one home, and homes are connected.
     gamma : ndarray of float64, shape (n,)
         Bounds on the disturbance, in any unit.
     capacity : ndarray of float64, shape (m,)
         Weights of the edges, in any unit.
-    order : ndarray of int32, shape (n,), optional
-        Order of elimination of a coarser level.
     """
 
     def __init__(
-        self,
-        wires: Wiring,
-        home: Nodes,
-        cell: Nodes,
-        gamma: Floats,
-        capacity: Floats,
-        order: Nodes | None = None,
+        self, chart: Chart, home: Nodes, cell: Nodes, gamma: Floats, capacity: Floats
     ) -> None:
+        wires, self.chart = chart.wires, chart
         self.n, self.home, self.cell = wires.n, home, cell
         self.edges = np.flatnonzero(home[wires.first] == home[wires.second])
         self.first, self.second = wires.first[self.edges], wires.second[self.edges]
         self.capacity = capacity[self.edges]
         self.place = places(home, cell)
         self.sources = int(self.place.max()) + 1
-        self.trees: Forest = forest(wires, home)
+        self.trees: Forest = chart.trees(home)
         self.homes = int(home.max()) + 1
         self.sizes = np.bincount(home)
         self.means = np.bincount(cell, gamma) / np.bincount(cell)
@@ -88,18 +83,11 @@ class Level:
         self.cell_of = np.full((self.homes, self.sources), -1, dtype=np.int32)
         self.cell_of[home, self.place] = cell
         self.most_neighbours = wires.most_neighbours
-        self.solver = Grounded(wires.n, self.first, self.second, self.trees.roots, order)
-        self._near_each_other()
+        self.solver = Grounded(
+            self.n, self.first, self.second, self.trees.roots, np.arange(self.n, dtype=np.int32)
+        )
         heads = np.flatnonzero(np.diff(self.by_home[self.edge_order], prepend=-1))
         self.heads, self.occupied = heads, self.by_home[self.edge_order][heads]
-
-    def _near_each_other(self) -> None:
-        """Edges in an order in which their ends are near each other in memory."""
-        rank = np.empty(self.n, dtype=np.int32)
-        rank[self.solver.order] = np.arange(self.n, dtype=np.int32)
-        first, second = rank[self.first], rank[self.second]
-        self.edge_walk = np.argsort(np.minimum(first, second), kind="stable")
-        self.ranked = (first[self.edge_walk], second[self.edge_walk])
 
     def counts(self, first: int, last: int) -> NDArray[np.int64]:
         """Nodes of the cells number first, ..., last - 1 of each home, shape (homes, number)."""
@@ -202,12 +190,9 @@ def current_loads(level: Level, weights: NDArray[np.int64]) -> Floats:
     """What each edge carries, all sources together, shape (edges of the level,)."""
     conductance = weights / 2.0**WEIGHT_BITS
     level.solver.factorise(conductance)
-    walked, total = conductance[level.edge_walk], np.zeros(len(weights))
+    ends, loads = (level.first, level.second), np.zeros(len(weights))
     for first, last in blocks(level):
-        potential = level.solver.solve(level.demand(first, last))
-        add_loads(level.ranked, walked, potential[level.solver.order], total)
-    loads = np.empty_like(total)
-    loads[level.edge_walk] = total
+        add_loads(ends, conductance, level.solver.solve(level.demand(first, last)), loads)
     return loads
 
 

@@ -44,7 +44,7 @@ UP_BITS = 30
 
 @dataclass(frozen=True)
 class ExactLevel:
-    """Integers of one level.
+    """Integers of one level, nodes and edges in the network's own order.
 
     Parameters
     ----------
@@ -133,8 +133,10 @@ def exact_routing(
     for level, chosen, unit in zip(levels, weights, units, strict=True):
         part = np.zeros(len(level.edges), dtype=np.int64)
         kept = _add_level(task, level, chosen, unit, scale, 2**62 // sources, part, keep)
-        loads[level.edges] += part
-        done.append(ExactLevel(unit, level.place, chosen, kept))
+        edges = level.chart.walk[level.edges]
+        loads[edges] += part
+        listed = chosen[np.argsort(edges, kind="stable")]
+        done.append(ExactLevel(unit, level.place[level.chart.rank], listed, kept))
     return CellRouting(_largest(task, loads, scale), scale, tuple(done), steps_of(levels))
 
 
@@ -195,8 +197,8 @@ def _add_level(
         if not np.abs(potentials).max(initial=0) < 2.0**60:
             raise ArithmeticError("the proposed potentials are not finite or too large")
         counts = level.counts(first, last)
-        for k in range(first, last):
-            x = np.rint(potentials[:, k - first]).astype(np.int64)
+        for k, potential in enumerate(np.ascontiguousarray(potentials.T), first):
+            x = np.rint(potential).astype(np.int64)
             share = _shares(mass, counts[:, k - first], level, k, unit, scale)
             net = -unit * counts[level.home, k - first]
             mine = level.place == k
@@ -205,16 +207,18 @@ def _add_level(
                 level, weights, x, share, largest // max(1, int(share.max())), net, flow, loads
             )
             if keep:
-                kept.append(x - np.where(level.trees.roots, 0, x[level.trees.up]))
+                steps = x - np.where(level.trees.roots, 0, x[level.trees.up])
+                kept.append(steps[level.chart.rank])
     return kept if keep else None
 
 
 def _sums(gamma: Sequence[int], level: Level) -> list[int]:
     """Sum of the bounds of each cell."""
+    cells = level.cell[level.chart.rank]
     if sum(gamma) < 2**53:
-        return [int(v) for v in np.bincount(level.cell, np.array(gamma, dtype=float))]
-    sums = [0] * (int(level.cell.max()) + 1)
-    for cell, bound in zip(level.cell.tolist(), gamma, strict=True):
+        return [int(v) for v in np.bincount(cells, np.array(gamma, dtype=float))]
+    sums = [0] * (int(cells.max()) + 1)
+    for cell, bound in zip(cells.tolist(), gamma, strict=True):
         sums[cell] += bound
     return sums
 
@@ -272,7 +276,8 @@ def add_exact(
     if library is not None:
         failed = call(
             library.add_exact, level.n, len(loads), level.first, level.second, weights, x,
-            trees.up, level.via, trees.order, level.home, share, largest, net, flow, loads,
+            trees.up, level.via, trees.sign, trees.order, level.home, share, largest,
+            net, flow, loads,
         )  # fmt: skip
     else:
         failed = _add_exact(level, weights, x, share, largest, net, flow, loads)
@@ -306,7 +311,7 @@ def _add_exact(
             continue
         if abs(int(net[i])) > 2**40:
             return True
-        flow[level.via[i]] += net[i] if i < j else -net[i]
+        flow[level.via[i]] += level.trees.sign[i] * net[i]
         net[j] += net[i]
     if (np.abs(flow) > largest).any():
         return True

@@ -43,23 +43,23 @@ def split(wires: Wiring, home: Nodes, size: int, seed: int = SEED) -> Nodes:
     """
     if size == 1:
         return np.arange(wires.n, dtype=np.int32)
-    label = _split(wires, home, size, seed)
+    label = _split(wires, home, size, seed, SMOOTHINGS if size >= SMOOTHED else 0)
     for again in range(1, RESPLITS + 1):
         large = np.bincount(label) > LARGE * size
         if not large.any():
             break
-        finer = _split(wires, label, size, seed + again)
+        finer = _split(wires, label, size, seed + again, 0)
         label = numbered(np.where(large[label], finer + len(large), label))
     return label
 
 
-def _split(wires: Wiring, home: Nodes, size: int, seed: int) -> Nodes:
+def _split(wires: Wiring, home: Nodes, size: int, seed: int, smoothings: int) -> Nodes:
     seeds = _first_seeds(home, size, seed)
     label = _around(wires, home, seeds)
     for _ in range(CENTRINGS):
         recentre(wires, label, seeds)
         label = _around(wires, home, seeds)
-    for _ in range(SMOOTHINGS if size >= SMOOTHED else 0):
+    for _ in range(smoothings):
         if not smooth(wires, home, label):
             break
     return connected(wires, home, label)

@@ -42,6 +42,9 @@ EXPLICIT = 250
 NO_LOAD = Hurdle(0, 1)
 """A hurdle that no load passes."""
 
+LOOKED_TWICE = 20_000
+"""Up to this size a worse cut is looked for where a routing finds little room."""
+
 LOOSER = tuple(Fraction(k, 1000) for k in (1003, 1010, 1030, 1100, 1300, 2000, 4000, 16000))
 """Factors by which a hurdle is weakened where it cannot be shown."""
 
@@ -156,7 +159,7 @@ def refute_or_show(task: Problem, hurdle: Hurdle, budget: Budget) -> Cut | Shown
         solved = _tree(task, NO_LOAD, Aim.RATIO)
         passes = hurdle.clears(task.n, *task.measure(solved.cut))
         return Shown(hurdle, {"kind": "tree"}) if passes else solved.cut
-    if task.n > LARGEST:
+    if task.n > EXPLICIT:
         return None
     for order in list(orders(task))[:LATE_ORDERS]:
         found = Walk(task, order).search(hurdle, Aim.FAILURE, budget.visits)
@@ -292,7 +295,7 @@ def _carried(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> So
         routing = route_by_cells(task, task.ratio(solved.hurdle), budget.visits)
     except ArithmeticError:  # hopelessly unlike weights
         return solved
-    if not closes(task, solved.hurdle, routing.up):
+    if task.n <= LOOKED_TWICE and not closes(task, solved.hurdle, routing.up):
         cut = large_cut(task, start, Aim.RATIO, conductances=routing.conductances)
         solved = _with(task, start, Aim.RATIO, solved, cut)
     return _with_routing(task, solved, routing)

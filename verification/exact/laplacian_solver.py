@@ -23,8 +23,8 @@ class Grounded:
         Ends of the edges.
     ground : ndarray of bool, shape (n,)
         One node of every connected part.
-    order : ndarray of int32, shape (n,), optional
-        Order of elimination that is good for a network with these edges and more.
+    order : ndarray of int32, shape (n,)
+        Order of elimination.
     """
 
     def __init__(
@@ -33,17 +33,12 @@ class Grounded:
         first: Nodes,
         second: Nodes,
         ground: NDArray[np.bool_],
-        order: Nodes | None = None,
+        order: Nodes,
     ) -> None:
         self.ground = ground
         edges = np.column_stack([first, second]).astype(np.int64)
         self._symbolic = analyse(n, edges, order)
         self._factor: Factor | None = None
-
-    @property
-    def order(self) -> Nodes:
-        """Order of elimination."""
-        return self._symbolic.order
 
     def factorise(self, conductance: Floats) -> None:
         """Take these conductances, shape (m,), positive, from now on.

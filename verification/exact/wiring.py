@@ -62,12 +62,15 @@ class Forest:
         Number of the edge to it; -1 at a root.
     order : ndarray of int32, shape (n,)
         All nodes, each after the one before it.
+    sign : ndarray of int32, shape (n,)
+        1 where a flow up the tree leaves the first end of its edge, else -1.
     """
 
     count: int
     up: Nodes
     via: Nodes
     order: Nodes
+    sign: Nodes
 
     @property
     def roots(self) -> NDArray[np.bool_]:
@@ -100,7 +103,8 @@ def forest(wires: Wiring, home: Nodes) -> Forest:
     else:
         count = _forest(wires, home, up, rank, order)
     via = np.where(rank < 0, np.int32(-1), wires.link[np.maximum(rank, 0)])
-    return Forest(count, up, via.astype(np.int32), order)
+    sign = np.where(wires.first[via] == np.arange(n), np.int32(1), np.int32(-1))
+    return Forest(count, up, via.astype(np.int32), order, sign)
 
 
 def grow(wires: Wiring, home: Nodes, label: Nodes) -> int:

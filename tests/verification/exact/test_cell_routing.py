@@ -17,6 +17,7 @@ from verification.exact import cell_bounds, cell_flows, cell_routing, wiring
 from verification.exact.cell_bounds import route_by_cells
 from verification.exact.cell_routing import CellRouting, add_exact, rounded_up
 from verification.exact.cells import hierarchy, places
+from verification.exact.charts import chart
 from verification.exact.cut_problem import Problem, problem
 from verification.exact.cut_reference import enumerate_all
 from verification.exact.cuts import threshold
@@ -26,8 +27,8 @@ STEPS = 2_000_000
 
 
 def routed(task: Problem, sizes: list[int]) -> CellRouting:
-    wires = wiring.wiring(task.n, task.edges)
-    return cell_bounds._routed(task, wires, sizes, 0.0, STEPS, cell_bounds.GLOBAL)
+    numbers = chart(task.n, task.edges)
+    return cell_bounds._routed(task, numbers, sizes, 0.0, STEPS, cell_bounds.GLOBAL)
 
 
 def flat(family: str) -> Network:
@@ -164,10 +165,10 @@ def test_both_roads_find_the_same_cells(monkeypatch: pytest.MonkeyPatch) -> None
 def test_both_roads_add_the_same_loads_to_the_last_bit(monkeypatch: pytest.MonkeyPatch) -> None:
     network = read_network("grid:9,11")
     chance = np.random.default_rng(5)
-    wires = wiring.wiring(network.n, network.edges)
-    home, cell = hierarchy(wires, [12, 1])[1:]
+    numbers = chart(network.n, network.edges)
+    home, cell = hierarchy(numbers.wires, [12, 1])[1:]
     ones = np.ones(network.n), np.ones(network.m)
-    level = cell_flows.Level(wires, home, cell, *ones)
+    level = cell_flows.Level(numbers, home, cell, *ones)
     m = len(level.edges)
     potential = chance.normal(size=(network.n, 11))
     weights = chance.integers(1, 2**20, m)
@@ -198,8 +199,8 @@ def test_what_might_not_fit_or_leaks_is_refused(
     monkeypatch: pytest.MonkeyPatch, python: bool, change: dict[str, int]
 ) -> None:
     network = read_network("path:4")
-    wires = wiring.wiring(4, network.edges)
-    level = cell_flows.Level(wires, *hierarchy(wires, [1]), np.ones(4), np.ones(3))
+    numbers = chart(4, network.edges)
+    level = cell_flows.Level(numbers, *hierarchy(numbers.wires, [1]), np.ones(4), np.ones(3))
     if python:
         in_python(monkeypatch)
 
