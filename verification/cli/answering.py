@@ -14,6 +14,7 @@ from verification.answers import Answer, Condition, Quantity
 from verification.files import certificate_text, require_target, write_text
 from verification.input_kinds import brief, nearest
 from verification.inputs import read_inputs
+from verification.progress import shown_on_terminal
 from verification.systems import SYSTEMS
 
 from . import given
@@ -84,7 +85,8 @@ def answer(options: argparse.Namespace, system: str, question: Question) -> tupl
     network = given.given_network(options, question.inputs, name)
     reading = read_inputs(question.inputs, values, network, name)
     started = time.perf_counter()
-    found = question.answer(reading.values)
+    with shown_on_terminal():
+        found = question.answer(reading.values)
     seconds = time.perf_counter() - started
     if out is not None and found.certificate is not None:
         write_text(out, certificate_text(found.certificate))

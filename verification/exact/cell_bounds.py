@@ -15,6 +15,8 @@ from fractions import Fraction
 
 import numpy as np
 
+from verification.progress import tell
+
 from .cell_flows import Level, Schedule, reweighted
 from .cell_routing import CellRouting, Integers, exact_routing, steps_of
 from .cells import hierarchy, numbered
@@ -157,6 +159,7 @@ def _routed(
     schedules: tuple[Schedule, ...],
 ) -> CellRouting:
     """Route with cells of these sizes; `low` is over the largest bound and weight."""
+    tell(f"{task.n} nodes: cells of {', '.join(map(str, cell_sizes))} nodes")
     plan = Plan(task, numbers, hierarchy(numbers.wires, cell_sizes))
     levels: list[Level] = []
     weights: list[Integers] = []
@@ -168,6 +171,7 @@ def _routed(
     levels.insert(0, plan.level(0))
     found = reweighted(levels[0], base, schedules)
     weights.insert(0, found.weights)
+    tell("exact flows")
     return exact_routing(task, levels, weights, _cost(levels) <= steps)
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sensortrack.kernels import kernel
+from verification.progress import tell
 
 from .cells import places
 from .charts import Chart
@@ -163,7 +164,8 @@ def reweighted(level: Level, base: Floats, schedules: tuple[Schedule, ...]) -> C
     kept = Currents(np.ones(len(base), dtype=np.int64), np.zeros(len(base)))
     for schedule in schedules:
         step = 1 / (schedule.exponent - 1)
-        for _ in range(schedule.rounds):
+        for turn in range(schedule.rounds):
+            tell(f"flows within {level.homes} cells: round {turn + 1} of {schedule.rounds}")
             weights = quantised(level, conductance)
             loads = current_loads(level, weights)
             share = (base + loads) / level.capacity

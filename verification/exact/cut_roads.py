@@ -11,6 +11,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from verification.progress import tell
+
 from .cell_bounds import route_by_cells
 from .cell_routing import CellRouting
 from .cut_local import congested_cut, good_cut
@@ -131,6 +133,7 @@ def solve(task: Problem, start: Hurdle, aim: Aim, budget: Budget) -> Solved:
         shown = Shown(start, part, 2) if task.n <= LARGEST else None
         return Solved((0,), start, shown, True)
     look = good_cut if task.n <= SMALL else large_cut
+    tell(f"{task.n} nodes: bad cuts")
     solved = _with(task, start, aim, Solved((), start), look(task, start, aim))
     if solved.hurdle is None:
         return solved
@@ -274,6 +277,7 @@ def _rated(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solv
         return solved
     unit = task.with_unit_bounds()
     look = good_cut if task.n <= SMALL else large_cut
+    tell(f"{task.n} nodes: bad cuts")
     cut = look(unit, NO_LOAD, Aim.RATIO)
     ratio = _routed(
         unit, NO_LOAD, _with(unit, NO_LOAD, Aim.RATIO, Solved((), NO_LOAD), cut), budget
