@@ -114,7 +114,7 @@ def _draw_bearings(rng):
             Bearing(name, float(bearings_to(start + k * 0.1 * rate, place)) + 0.01 * rng.normal())
             for name, place in places.items()
         ]
-        for k in range(6)
+        for k in range(4)
     ]
     return estimator, samples
 

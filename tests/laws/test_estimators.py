@@ -24,7 +24,7 @@ def bits(states):
 
 
 @EACH
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(SEEDS)
 def test_a_step_changes_neither_state_nor_measurements(system, seed):
     estimator, samples = ESTIMATORS[system].draw(np.random.default_rng(seed))
@@ -40,7 +40,7 @@ def test_a_step_changes_neither_state_nor_measurements(system, seed):
 
 
 @EACH
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(SEEDS)
 def test_order_and_names_of_the_sensors_do_not_change_a_bit(system, seed):
     rng = np.random.default_rng(seed)
@@ -54,7 +54,7 @@ def test_order_and_names_of_the_sensors_do_not_change_a_bit(system, seed):
 
 
 @EACH
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(SEEDS)
 def test_what_a_blind_sensor_says_does_not_change_a_bit(system, seed):
     rng = np.random.default_rng(seed)
@@ -69,7 +69,7 @@ def test_what_a_blind_sensor_says_does_not_change_a_bit(system, seed):
 
 
 @EACH
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(SEEDS)
 def test_a_moved_frame_moves_the_estimates(system, seed):
     """By the motions that a system declares: turns, shifts, constant velocities."""

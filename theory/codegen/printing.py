@@ -7,6 +7,7 @@ import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 from .lower import Given, Lowered, entries, lower
 from .scalars import FUNCTIONS, LIBM, Expr
@@ -46,14 +47,14 @@ class Source:
             (name, slot.unit) for slot in self.slots(group) for name in entries(slot, self.n)
         )
 
-    @property
+    @cached_property
     def operations(self) -> Mapping[str, int]:
         """Arithmetic operations of each function."""
         return {
             f.program.name: sum(_count(f, line.expr) for line in f.lines) for f in self.functions
         }
 
-    @property
+    @cached_property
     def calls(self) -> frozenset[str]:
         """The ``FUNCTIONS`` that are used."""
         found: set[str] = set()
@@ -69,7 +70,7 @@ class Source:
         """Whether every language computes the same bits: no sine, no cosine."""
         return self.calls.isdisjoint(LIBM)
 
-    @property
+    @cached_property
     def digest(self) -> str:
         """SHA-256 of the statement lists, the layouts and the options."""
         content = {

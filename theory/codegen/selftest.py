@@ -8,7 +8,7 @@ from .c99 import comment, prefix_of
 from .lower import Lowered
 from .printing import Source
 from .python import arguments
-from .vectors import Vector, vectors
+from .vectors import COUNT, EDGES, Vector, vectors
 
 
 def vectors_header(source: Source) -> str:
@@ -62,7 +62,7 @@ def c_program(source: Source) -> str:
     for function in source.functions:
         lines += [*_test(source, function), ""]
     tests = [f"{function.program.name}_mismatches()" for function in source.functions]
-    total = sum(len(vectors(source, function)) for function in source.functions)
+    total = (COUNT + len(EDGES)) * len(source.functions)
     lines += ["int main(void)", "{", f"    const unsigned long wrong = {' + '.join(tests)};"]
     lines += [f'    printf("{system}: {total} vectors, %lu mismatches\\n", wrong);']
     lines += [f"    (void){prefix}_digest;", "    return wrong == 0UL ? 0 : 1;", "}"]

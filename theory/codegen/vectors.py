@@ -11,6 +11,7 @@ import random
 import struct
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from types import CodeType
 from typing import Any
 
 from .lower import Lowered, entries
@@ -23,6 +24,8 @@ Numbers = Sequence[Sequence[float]]
 NUDGES = ((2, 2), (2, -2), (-2, 2), (-2, -2))
 """Units in the last place by which sine and cosine are moved."""
 COUNT = 64
+EDGES = (0.0, 2.0**-130, 2.0**100, math.nan)
+"""Factors of the last group of the first vector."""
 SEED = 20
 
 
@@ -108,26 +111,25 @@ def vectors(source: Source, function: Lowered, precise: bool = True) -> tuple[Ve
         Double precision; else single.
     """
     rng = random.Random(SEED)
-    run = _runner(source, function, precise)
-    nudged = [] if source.exact else [_runner(source, function, precise, n) for n in NUDGES]
+    code = compile(python(source), source.stepper.system, "exec")
+    name, nudges = function.program.name, () if source.exact else NUDGES
+    run, *nudged = (_runner(code, name, precise, nudge) for nudge in ((0, 0), *nudges))
     drawn = [_drawn(source, function, rng) for _ in range(COUNT)]
-    edges = [_scaled(drawn[0], factor) for factor in (0.0, 2.0**-130, 2.0**100, math.nan)]
+    edges = [_scaled(drawn[0], factor) for factor in EDGES]
     return tuple(_vector(run, nudged, given, precise) for given in [*drawn, *edges])
 
 
 Run = Callable[..., Sequence[float]]
 
 
-def _runner(
-    source: Source, function: Lowered, precise: bool, nudge: tuple[int, int] = (0, 0)
-) -> Run:
+def _runner(code: CodeType, name: str, precise: bool, nudge: tuple[int, int]) -> Run:
     """The function, its sines and cosines moved by some units in the last place."""
     space: dict[str, Any] = {}
-    exec(python(source), space)
-    run = space[function.program.name]
-    for name, units in zip(LIBM, nudge, strict=True):
-        if name in space:
-            space[name] = _rounded(space[name], precise, units)
+    exec(code, space)
+    run = space[name]
+    for call, units in zip(LIBM, nudge, strict=True):
+        if call in space:
+            space[call] = _rounded(space[call], precise, units)
     if not precise:
         space["sqrt"] = lambda x: Single(math.sqrt(_value(x)))
         return lambda *groups: [_value(x) for x in run(*([Single(v) for v in g] for g in groups))]

@@ -107,8 +107,15 @@ def node(out, *arguments, target):
     return main(["generate", "bearing_dac", "--target", target, "--out", str(out), *arguments])
 
 
-@pytest.mark.parametrize("target", ["python", "numpy", "c", "casadi"])
-@pytest.mark.parametrize("given", [NODE, (*NODE, *GAINS_OF_NODE)])
+@pytest.mark.parametrize(
+    "target,given",
+    [
+        ("python", NODE),
+        ("numpy", ()),
+        ("c", (*NODE, *GAINS_OF_NODE)),
+        ("casadi", (*NODE, *GAINS_OF_NODE)),
+    ],
+)
 def test_the_source_of_one_node_tests_itself(tmp_path, target, given):
     assert node(tmp_path / "out", *given, target=target) == 0
     run = [sys.executable, "selftest.py"] if target != "c" else ["make", "test"]
