@@ -12,6 +12,8 @@ from verification.answers import Answer
 from verification.exact.evaluate import matrices
 from verification.exact.square_roots import exact_square_root
 
+from .network_inputs import usable_numbers
+
 Point = tuple[Fraction, ...]
 
 ORIGIN = "entries of q move faster the farther a sensor is from the origin, which can be chosen"
@@ -35,13 +37,15 @@ def disturbance_bound(values: Mapping[str, Any]) -> Answer:
     Raises
     ------
     InputError
-        v_max is negative, rho_min is not positive, or two sensors are at the same place.
+        v_max is negative, rho_min is not positive, two sensors are at the same place, or a number
+        is not of usable size.
 
     References
     ----------
     George, Assumption 2.
     """
-    rate, positions = _rate(values), values["positions"]
+    usable_numbers(values)
+    rate, positions = angular_rate(values), values["positions"]
     _apart(positions)
     for_p, for_q = rate_factors()
     squares = {place: _factor(for_q, place) for place in positions}
@@ -54,8 +58,14 @@ def disturbance_bound(values: Mapping[str, Any]) -> Answer:
     return Answer(value=exact.nearest, exact=exact.to_data(), notes=(note, ORIGIN))
 
 
-def _rate(values: Mapping[str, Any]) -> Fraction:
-    """Largest angular speed of a line of sight."""
+def angular_rate(values: Mapping[str, Any]) -> Fraction:
+    """Largest angular speed of a line of sight, v_max/rho_min.
+
+    Raises
+    ------
+    InputError
+        v_max is negative, or rho_min is not positive.
+    """
     v_max, rho_min = values["v_max"], values["rho_min"]
     if v_max < 0:
         raise InputError("v_max", f"{v_max}", "a speed of at least 0 is needed")

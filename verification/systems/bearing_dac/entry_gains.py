@@ -22,6 +22,7 @@ from verification.exact.cuts import CutBracket, threshold
 from verification.exact.rationals import above, below, nearest
 
 from .brackets import NO_WITNESS, OPEN, SYSTEM, USABLE
+from .disturbances import angular_rate
 from .network_inputs import Numbers, component_notes, network_of, node_data
 
 ROOT_BITS = 64
@@ -55,8 +56,11 @@ def entry_gains(values: Mapping[str, Any]) -> Answer:
     George, equations (2) to (5) and Assumption 2.
     """
     network = flat(network_of(values))
-    rate = rate_of(values)
-    high = tuple(rate * distance_above(x * x + y * y) for x, y in values["positions"])
+    rate, positions = angular_rate(values), values["positions"]
+    if len(positions) != network.n:
+        needed = f"{network.n} are needed, one a node in the order of the graph"
+        raise InputError("positions", f"{len(positions)} points", needed)
+    high = tuple(rate * distance_above(x * x + y * y) for x, y in positions)
     same = (rate,) * network.n
     found = threshold(network, same), threshold(network, high)
     notes = [*component_notes(network, "the largest threshold counts"), ORIGIN]
@@ -77,28 +81,6 @@ def entry_gains(values: Mapping[str, Any]) -> Answer:
         return Answer(None, None, low, top, None, "UNDECIDED", document, None, (*notes, OPEN))
     shown = [nearest(x) if x is not None else y for x, y in zip(lowers, middle, strict=True)]
     return Answer(shown, None, low, top, None, "PROVED", document, None, tuple(notes))
-
-
-def rate_of(values: Mapping[str, Any]) -> Fraction:
-    """v_max/rho_min, after checking these and the number of positions.
-
-    Raises
-    ------
-    InputError
-        v_max is negative, rho_min not positive, or there is not one position a node.
-    """
-    network: Network = values["graph"]
-    v_max: Fraction = values["v_max"]
-    rho_min: Fraction = values["rho_min"]
-    if v_max < 0:
-        raise InputError("v_max", f"{v_max}", "a speed of at least 0 is needed")
-    if rho_min <= 0:
-        raise InputError("rho_min", f"{rho_min}", "a distance above 0 is needed")
-    count = len(values["positions"])
-    if count != network.n:
-        needed = f"{network.n} are needed, one a node in the order of the graph"
-        raise InputError("positions", f"{count} points", needed)
-    return v_max / rho_min
 
 
 def distance_above(square: Fraction) -> Fraction:

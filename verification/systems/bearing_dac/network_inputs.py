@@ -12,19 +12,50 @@ from verification.exact.cut_components import even, flat
 
 Numbers = tuple[Fraction, ...]
 
+LARGEST = Fraction(10) ** 100
+SMALLEST = 1 / LARGEST
+"""Sizes of numbers whose squares and quotients still are doubles."""
+
 
 def network_of(values: Mapping[str, Any]) -> Network:
-    """The network, after checking that it has an edge.
+    """The network, after checking that it has an edge and that all numbers are of usable size.
 
     Raises
     ------
     InputError
-        It has none.
+        It has none, or a number or weight is not 0 and not from 1e-100 to 1e100 in size.
     """
+    usable_numbers(values)
     network: Network = values["graph"]
+    if network.weights is not None:
+        _usable("weight", network.weights)
     if network.m == 0:
         raise InputError("graph", "no edge", "an edge between some of the nodes is needed")
     return network
+
+
+def usable_numbers(values: Mapping[str, Any]) -> None:
+    """Check that all numbers that were given are 0 or of usable size.
+
+    Raises
+    ------
+    InputError
+        A number is not 0 and not from 1e-100 to 1e100 in size.
+    """
+    for name, value in values.items():
+        _usable(name, value)
+
+
+def _usable(name: str, value: Any) -> None:
+    if isinstance(value, tuple):
+        if len(value) and isinstance(value[0], Fraction) and even(value):
+            value = value[:1]
+        for entry in value:
+            _usable(name, entry)
+    elif isinstance(value, Fraction) and value and not SMALLEST <= abs(value) <= LARGEST:
+        size = len(str(abs(value.numerator))) - len(str(value.denominator))
+        needed = "0 or numbers from 1e-100 to 1e100 in size are needed"
+        raise InputError(name, f"a number of about 1e{size}", needed)
 
 
 def bounds_of(values: Mapping[str, Any]) -> Numbers:

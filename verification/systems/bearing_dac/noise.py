@@ -12,6 +12,8 @@ from theory.systems.bearing_dac.noise import SPREAD
 from verification.answers import Answer
 from verification.exact.rationals import nearest
 
+from .network_inputs import usable_numbers
+
 Point = tuple[Fraction, Fraction]
 Matrix = tuple[Fraction, Fraction, Fraction]
 """Symmetric: the entries 11, 12 and 22."""
@@ -34,7 +36,8 @@ def noise_bias(values: Mapping[str, Any]) -> Answer:
     Raises
     ------
     InputError
-        The target sits on a sensor or on one line with all of them, or sigma is negative.
+        The target sits on a sensor or on one line with all of them, sigma is negative, or a number
+        is not of usable size.
     """
     sensors, target, sigma = _given(values)
     a = _spread(sigma)
@@ -84,6 +87,7 @@ def noise_cramer_rao(values: Mapping[str, Any]) -> Answer:
 
 
 def _given(values: Mapping[str, Any]) -> tuple[Sequence[Point], Point, Fraction]:
+    usable_numbers(values)
     sensors, target = values["positions"], values["target"]
     sigma: Fraction = values["sigma_bearing_rad"]
     if sigma < 0:

@@ -13,7 +13,7 @@ from verification.answers import Answer
 from verification.exact.rationals import above
 from verification.exact.square_roots import exact_square_root
 
-from .network_inputs import bounds_of
+from .network_inputs import bounds_of, usable_numbers
 
 SUMS = 3_000_000
 """Sums of signed bounds that are looked at for the smallest."""
@@ -40,8 +40,9 @@ def outage_growth(values: Mapping[str, Any]) -> Answer:
     Raises
     ------
     InputError
-        A bound or tau is negative.
+        A bound or tau is negative, or a number is not of usable size.
     """
+    usable_numbers(values)
     network: Network = values["graph"]
     gamma = bounds_of(values)
     tau: Fraction = values["tau"]

@@ -240,12 +240,32 @@ def test_connectivity_that_cannot_be_proved_is_computed_or_a_bracket(
         ("settling_time", {"beta": 3}, "x0"),
         ("settling_time", {"beta": 3, "x0": [1, 2, 3]}, "x0"),
         ("margin_rate_squared", {"gamma": 1}, "gamma"),
+        ("gain_threshold", {"gamma": "1e101"}, "gamma"),
+        ("gain_threshold", {"gamma": "nan"}, "gamma"),
+        ("gain_threshold", {"gamma": [0, 0, 0, "1e-101"]}, "gamma"),
+        ("settling_time", {"beta": "1e400", "x0": 1}, "beta"),
+        ("settling_time", {"beta": 1, "x0": [0, 1, 2, "-1e400"]}, "x0"),
+        ("printed_settling_time", {"x0": "1e400"}, "x0"),
+        ("implicit_steps", {"beta": 1, "x0": 1, "h": "1e-400"}, "h"),
+        ("chattering_bound", {"beta": "1e300", "h": 1}, "beta"),
+        ("outage_growth", {"tau": "1e400"}, "tau"),
     ],
 )
 def test_bad_inputs_are_named(name: str, given: dict[str, Any], wrong: str) -> None:
     with pytest.raises(InputError) as found:
         ask(name, "complete:4", **given)
     assert found.value.name == wrong
+
+
+def test_weights_too_unlike_are_refused() -> None:
+    weights = (Fraction(10) ** 200, Fraction(1))
+    network = Network(["a", "b", "c"], [[0, 1], [1, 2]], weights)  # type: ignore[arg-type]
+    with pytest.raises(InputError) as found:
+        ask("margin_rate_squared", network)
+    assert found.value.name == "weight"
+    far = Network(["a", "b"], [[0, 1]], (Fraction(10) ** 100,))  # type: ignore[arg-type]
+    answer = ask("margin_rate_squared", far)
+    assert answer.exact == {"kind": "rational", "value": str(2 * 10**200)}
 
 
 def test_a_network_without_edges_is_refused() -> None:

@@ -297,3 +297,28 @@ def test_two_agents_cannot_lose_one() -> None:
     with pytest.raises(InputError) as found:
         ask("node_loss_threshold", "path:2")
     assert found.value.name == "graph"
+
+
+@pytest.mark.parametrize(
+    "name, given, wrong",
+    [
+        ("disturbance_bound", {"v_max": "1e400"}, "v_max"),
+        ("disturbance_bound", {"rho_min": "1e-400"}, "rho_min"),
+        ("disturbance_bound", {"positions": [[0, "1e300"]]}, "positions"),
+        ("noise_bias", {"sigma_bearing_rad": "1e300"}, "sigma_bearing_rad"),
+        ("noise_covariance", {"target": ["1e300", 0]}, "target"),
+    ],
+)
+def test_sizes_beyond_use_are_refused(name: str, given: dict[str, Any], wrong: str) -> None:
+    question = QUESTIONS[name]
+    usual = {
+        "v_max": 1,
+        "rho_min": 1,
+        "positions": [[0, 0], [1, 0]],
+        "target": [5, 5],
+        "sigma_bearing_rad": "0.1",
+    }
+    taken = {entry.name: usual[entry.name] for entry in question.inputs} | given
+    with pytest.raises(InputError) as found:
+        question.answer(read_inputs(question.inputs, taken, None, name).values)
+    assert found.value.name == wrong
