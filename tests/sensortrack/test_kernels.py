@@ -59,3 +59,31 @@ def test_a_relative_cache_folder_is_ignored(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setenv("XDG_CACHE_HOME", "somewhere")
     assert build.cache_folder().is_absolute()
     assert build.cache_folder().parts[-3:] == (".cache", "sensortrack", "kernels")
+
+
+@compiles
+def test_libraries_for_one_processor_are_told_apart(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    for processor, count in [("flags: this one", 1), ("flags: another", 2), ("", 3), ("", 3)]:
+        monkeypatch.setattr(build, "_processor", lambda found=processor: found)
+        build._kernel.cache_clear()
+        assert kernel("cuts", native=True).library is not None
+        assert len(list(build.cache_folder().iterdir())) == count
+    build._kernel.cache_clear()
+    assert kernel("cuts").library is not None
+    assert len(list(build.cache_folder().iterdir())) == count
+    build._kernel.cache_clear()
+
+
+@compiles
+def test_a_compiler_that_cannot_build_for_this_processor_builds_for_any(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(build, "NATIVE", ("--no-such-flag",))
+    monkeypatch.setattr(build, "_processor", lambda: "flags: this one")
+    build._kernel.cache_clear()
+    assert kernel("cuts", native=True).library is not None
+    build._kernel.cache_clear()
