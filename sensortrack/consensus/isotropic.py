@@ -63,7 +63,7 @@ class IsotropicConsensus:
     Parameters
     ----------
     network : Network
-        Unweighted.
+        Weights multiply the gain link by link.
     beta : sequence of float
         Gain of each block, in units of the signal per s.
     sizes : sequence of int
@@ -93,6 +93,7 @@ class IsotropicConsensus:
     iterations: int = 2000
     incidence: csr_array = field(init=False, repr=False)
     degrees: Floats = field(init=False, repr=False)
+    weights: Floats = field(init=False, repr=False)
     inverse: Floats = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -107,6 +108,9 @@ class IsotropicConsensus:
         values = np.repeat([1.0, -1.0], m)
         made = csr_array(coo_array((values, (rows, columns)), shape=(n, m)))
         object.__setattr__(self, "incidence", made)
+        given = self.network.weights
+        weights = np.ones(m) if given is None else np.array([float(w) for w in given])
+        object.__setattr__(self, "weights", weights)
         object.__setattr__(self, "degrees", np.bincount(rows, minlength=n).astype(float))
         object.__setattr__(self, "inverse", np.linalg.pinv((made @ made.T).toarray()))
 
@@ -131,7 +135,7 @@ class IsotropicConsensus:
             Which links carry in this period, in the order of the network's edges.
         """
         signal = np.asarray(r_next, dtype=float)
-        carry = np.ones(self.network.m) if active is None else np.asarray(active, dtype=float)
+        carry = self.weights if active is None else self.weights * np.asarray(active, dtype=float)
         if self.method == "explicit":
             w = state.w - self.incidence @ np.hstack(self._pulls(state.x, carry))
             return IsotropicState(w, w + signal, StepStatus(self.method))

@@ -84,6 +84,8 @@ class LinearConsensus:
         """
         first, second = self.edges.T
         apart = state.x[first] - state.x[second]
+        if self.network.weights is not None:
+            apart = apart * np.array([float(w) for w in self.network.weights])[:, None]
         if active is not None:
             apart = apart * np.asarray(active, dtype=float)[:, None]
         pull = np.zeros_like(state.w)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from sensortrack.data import load_network, network_places
 from sensortrack.errors import InputError
 from sensortrack.network_families import family_network
-from sensortrack.networks import Network
+from sensortrack.networks import Network, read_network
 from sensortrack.tables import Pair, Vector
 
 from .parts import SensorPart, need, one_of
@@ -22,16 +23,17 @@ MOST = 500
 
 @dataclass(frozen=True)
 class NetworkPart:
-    """Links between the sensors: exactly one of four ways to say it.
+    """Links between the sensors: exactly one of five ways to say it.
 
     ``links`` names them; ``family`` is one of the numbered families, whose nodes are the sensors in
-    order; ``data`` a real network that is shipped, likewise; ``radius_m`` links all sensors that
-    are no farther apart.
+    order; ``data`` a real network that is shipped, likewise; ``file`` a GraphML or CSV file whose
+    nodes have the names of the sensors; ``radius_m`` links all sensors that are no farther apart.
     """
 
     links: tuple[Pair, ...] = ()
     family: str = ""
     data: str = ""
+    file: str = ""
     radius_m: float = 0.0
 
 
@@ -104,14 +106,11 @@ def network_of(part: NetworkPart, names: tuple[str, ...], places: Floats) -> Net
         Not exactly one way is given, a name is unknown, the number of nodes differs from that of
         the sensors, or the network is not connected.
     """
-    ways = [key for key in ("links", "family", "data", "radius_m") if getattr(part, key)]
-    found = " and ".join(ways) or "nothing"
-    needed = "one of links, family, data and radius_m is needed"
+    ways = [key for key in WAYS if getattr(part, key)]
+    found, needed = " and ".join(ways) or "nothing", f"one of {', '.join(WAYS)} is needed"
     need(len(ways) == 1, "network", found, needed)
     key = ways[0]
-    made = {"links": _linked, "radius_m": _near, "family": _numbered, "data": _numbered}[key](
-        part, names, places
-    )
+    made = WAYS[key](part, names, places)
     needed = "a connected network is needed"
     count = len(made.components())
     need(count == 1, f"network.{key}", f"{count} parts without a link between them", needed)
@@ -142,3 +141,24 @@ def _numbered(part: NetworkPart, names: tuple[str, ...], _: Floats) -> Network:
     found, needed = f"{made.n} nodes", f"{len(names)} are needed, one a sensor"
     need(made.n == len(names), f"network.{key}", found, needed)
     return replace(made, names=names, factors=(), edges=np.asarray(made.edges))
+
+
+def _read(part: NetworkPart, names: tuple[str, ...], _: Floats) -> Network:
+    try:
+        made = read_network(part.file)
+    except InputError as error:
+        raise InputError("network.file", error.found, error.needed, error.cure) from None
+    for name in made.names:
+        needed = f"one of the sensors {', '.join(names)} is needed"
+        need(name in names, "network.file", f"a node {name!r}", needed)
+    places = np.array([names.index(name) for name in made.names])
+    return Network(names, np.sort(places[np.asarray(made.edges)], axis=1))
+
+
+WAYS: Mapping[str, Callable[[NetworkPart, tuple[str, ...], Floats], Network]] = {
+    "links": _linked,
+    "family": _numbered,
+    "data": _numbered,
+    "file": _read,
+    "radius_m": _near,
+}

@@ -257,3 +257,20 @@ def test_steps_that_are_not_exact_are_noted():
     found = run(*slow, (("network", "family"), "complete:4"), (("baselines",), []))
     assert any("steps within" in note for note in found.notes)
     assert found.errors("bearing_dac")[0][-1] < 1e-10
+
+
+def test_a_network_comes_from_a_file_by_the_names_of_its_nodes(tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text("source,target\nd,a\na,c\nc,b\n")
+    quick = (("baselines",), []), (("duration_s",), 0.02)
+    data = run((("network",), {"file": str(path)}), *quick).to_data()
+    assert sorted(data["links"]) == [[0, 2], [0, 3], [1, 2]]
+    for text in ("source,target\na,z\n", "nothing"):
+        path.write_text(text)
+        with pytest.raises(InputError) as error:
+            scenario_of("toy", changed((("network",), {"file": str(path)})))
+        assert error.value.name == "network.file"
+    path.write_text("source,target\na,b\n")
+    with pytest.raises(InputError) as error:
+        scenario_of("toy", changed((("network",), {"file": str(path)})))
+    assert error.value.name == "network.file"

@@ -1,5 +1,7 @@
 """Consensus along differences: the law of the step, agreement, convex sets, turned axes."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -94,6 +96,23 @@ def test_constant_signals_stay_in_every_convex_set_by_implicit_steps():
                 assert np.linalg.norm(state.x, axis=1).max() <= 1 + room
                 assert state.x[:, 0].min() >= r[:, 0].min() - room
                 assert state.x[:, 1].max() <= r[:, 1].max() + room
+
+
+def test_weights_multiply_the_gain_link_by_link():
+    edges, rng = family_network("cycle:4").edges, np.random.default_rng(12)
+    weights = (Fraction(1, 2), Fraction(3), Fraction(1), Fraction(2))
+    network = Network(["a", "b", "c", "d"], edges, weights)
+    r = rng.normal(size=(4, 1))
+    one = IsotropicConsensus(network, (0.7,), (1,), H)
+    other = SignConsensus(network, 0.7, H)
+    first, second = one.init(r), other.init(r)
+    for _ in range(4):
+        first, second = one.step(first, r), other.step(second, r)
+        assert first.x == pytest.approx(second.x, abs=1e-6)
+    law = LinearConsensus(network)
+    state = law.step(law.init(r), r)
+    wanted = r - law.gain * network.laplacian() @ r
+    assert state.x == pytest.approx(wanted, abs=1e-12)
 
 
 def test_the_sum_is_kept_and_a_step_changes_nothing_that_went_in():

@@ -34,8 +34,30 @@ def figures(run: Record) -> tuple[tuple[str, Plot], ...]:
         ("tracks", _tracks(run)),
         ("position-error", _errors(run, "position")),
         *moving,
+        *([("positions-known", _known(run))] if _someone_blind(run) else []),
         *((quantity.replace(" ", "-"), level_plot(run, quantity)) for quantity in levels),
         ("components", _components(run)),
+    )
+
+
+def _someone_blind(run: Record) -> bool:
+    """Whether sensors lack a position after the first sample."""
+    known = run.get("agents", {}).get("known", [])
+    return bool(known) and min(known[1:], default=0) < len(run["sensors"])
+
+
+def _known(run: Record) -> Plot:
+    """How many sensors can compute a position; what others have is no number."""
+    time, known = np.array(run["time"], dtype=float), np.array(run["agents"]["known"], dtype=float)
+    most = len(run["sensors"])
+    finding = "Sensors whose P_x allows a position; the others have a status, and no number."
+    return Plot(
+        title=f"{run['title']}: sensors with a position",
+        finding=finding,
+        caption=finding,
+        x=Axis("time", "s", float(time[0]), float(time[-1])),
+        y=Axis("sensors with a position", "", 0.0, most * 1.05, ticks=(float(most),)),
+        curves=(*pieces("sharp", time, known, ""), *events_in(run, 0.0, float(most))),
     )
 
 
