@@ -22,12 +22,13 @@ NUMBERS = {"graph": "unweighted graph", "a": "nodes", "beta": "number", "t": "nu
 def late_position() -> Statement:
     """A target that rests, and a sensor that is wrong about it after the printed time."""
     words = (
-        "one sensor, a, sees a target that rests at (k, 0) under the bearing (c, s), all others "
-        "under (c, -s); rates are zero, and the gain is as printed; P_12 is -sc and sc, its error "
-        "starts at -2sc Ma and is zero at the time t, that of the second entry of q, kP_12, starts "
-        "at k times it and is y; the average of P, with the diagonal s^2, c^2, has an inverse; at "
-        "the time t, after the printed |x(t0)|/lambda_2, |x(t0)|^2 = n(1 + k^2 s^2), the position "
-        "of sensor a is wrong, because its P_x is the average and its q_x is not"
+        "one sensor, with the indicator a (of sum and sum of squares 1, and without an entry below "
+        "zero, as the bounds of cut_drifts), sees a target that rests at (k, 0) under the bearing "
+        "(c, s), all others under (c, -s); rates are zero, and the gain is as printed; P_12 is -sc "
+        "and sc, its error starts at -2sc Ma and is zero at the time t, that of the second entry "
+        "of q, kP_12, starts at k times it and is y; the average of P, with the diagonal s^2, c^2, "
+        "has an inverse; at the time t, after the printed |x(t0)|/lambda_2, |x(t0)|^2 = n(1 + k^2 "
+        "s^2), the position of sensor a is wrong, because its P_x is the average and its q_x is not"
     )
     show = (
         *WITHIN_THEOREM,
@@ -54,9 +55,11 @@ def late_position() -> Statement:
 def singular_later() -> Statement:
     """A matrix P_x that has an inverse for a while and loses it again."""
     words = (
-        "one sensor, a, sees a target that rests under the bearing (d, e), all others under (c, "
-        "s), on other lines, so that the average of P has an inverse; the errors of P_11 and P_12 "
-        "run to y and -z in the time t > 0, and with these P_x of sensor a has determinant zero"
+        "one sensor, with the indicator a (of sum and sum of squares 1, and without an entry below "
+        "zero, as the bounds of cut_drifts), sees a target that rests under the bearing (d, e), "
+        "all others under (c, s), on other lines, so that the average of P has an inverse; the "
+        "errors of P_11 and P_12 run to y and -z in the time t > 0, and with these P_x of sensor a "
+        "has determinant zero"
     )
     first = "(s*s + (e*e - s*s)/nodes(graph) + T(a)*y)"
     second = "(s*c + (e*d - s*c)/nodes(graph) + T(a)*z)"
