@@ -94,12 +94,25 @@ def _printed(network: Network, beta: Fraction, x0: Numbers) -> float | None:
 
 
 def trajectory(run: Run) -> dict[str, Any]:
-    """The witness that a run is one."""
-    keys = ("duration", "disturbance", "signs")
+    """The witness that a run is one: signs stand component by component."""
     return {
         "kind": "trajectory",
-        "pieces": [{key: getattr(piece, key) for key in keys} for piece in run.pieces],
+        "pieces": [
+            {
+                "duration": piece.duration,
+                "disturbance": piece.disturbance,
+                "signs": [piece.signs[k] for k in by_component(piece.network)],
+            }
+            for piece in run.pieces
+        ],
     }
+
+
+def by_component(network: Network) -> list[int]:
+    """Edge numbers, those of each component together, components by their smallest nodes."""
+    home = {i: k for k, nodes in enumerate(network.components()) for i in nodes}
+    heads = network.edges[:, 0].tolist()
+    return sorted(range(network.m), key=lambda k: home[heads[k]])
 
 
 def step_of(values: Mapping[str, Any]) -> Fraction:

@@ -240,3 +240,12 @@ def test_a_network_without_edges_is_refused():
         with pytest.raises(InputError) as found:
             ask(name, lonely, **data)
         assert found.value.name == "graph"
+
+
+def test_links_of_two_components_may_stand_in_any_order():
+    """The checker reads signs component by component, whatever the order of the links."""
+    for edges in ([[1, 2], [0, 3]], [[0, 3], [1, 2]]):
+        network = Network(tuple("abcd"), np.array(edges), (Fraction(1, 10),) * 2, label="pairs")
+        values = {"graph": network, "beta": Fraction(1, 5), "x0": tuple(map(Fraction, "0001"))}
+        answer = runs.disagreement_time(values)
+        assert (answer.verdict, exactly(answer)) == ("PROVED", 25)
