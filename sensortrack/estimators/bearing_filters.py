@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from sensortrack.errors import InputError
 
 Floats = NDArray[np.float64]
+SINGULAR = 1e-12
 START_SPEED = 10.0
 """Standard deviation in m/s of a velocity of which nothing is known."""
 
@@ -144,12 +145,16 @@ class BearingKalman:
         place = intersect(angle, self.positions)
         if place is None:
             return BearingKalmanState()
-        seen = np.isfinite(angle)
-        apart = place - self.positions[seen]
-        squares = np.maximum((apart**2).sum(axis=1), np.finfo(float).tiny)
+        apart = place - self.positions[np.isfinite(angle)]
+        squares = (apart**2).sum(axis=1)
+        apart, squares = apart[squares > 0], squares[squares > 0]
         across = np.stack([-apart[:, 1], apart[:, 0]], axis=1) / squares[:, None]
+        information = across.T @ across
+        trace = np.trace(information)
+        if not np.linalg.det(information) > SINGULAR * trace**2:
+            return BearingKalmanState()
         covariance = np.zeros((4, 4))
-        covariance[:2, :2] = self.sigma**2 * np.linalg.inv(across.T @ across)
+        covariance[:2, :2] = self.sigma**2 * np.linalg.inv(information)
         covariance[2:, 2:] = START_SPEED**2 * np.eye(2)
         return BearingKalmanState(np.concatenate([place, np.zeros(2)]), covariance)
 

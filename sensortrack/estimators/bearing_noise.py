@@ -74,7 +74,7 @@ def cramer_rao(positions: ArrayLike, target: ArrayLike, sigma: float) -> Floats:
 def _geometry(positions: ArrayLike, target: ArrayLike, sigma: float) -> tuple[Floats, Floats]:
     """Distances of the target from the sensors, and h h' of each."""
     apart = np.asarray(target, dtype=float) - np.asarray(positions, dtype=float)
-    if apart.ndim != 2 or apart.shape[1] != 2 or not np.isfinite(apart).all():
+    if apart.ndim != 2 or apart.shape[1] != 2 or not len(apart) or not np.isfinite(apart).all():
         raise InputError("positions", f"shape {apart.shape}", "finite rows of two are needed")
     if not (np.isfinite(sigma) and sigma >= 0):
         raise InputError("sigma", f"{sigma}", "a number of 0 or more is needed")

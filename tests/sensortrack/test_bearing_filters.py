@@ -49,6 +49,16 @@ def test_the_filter_follows_and_waits_for_its_first_position():
     assert np.mean(off[100:]) < 0.7 * np.mean(raw[100:])
 
 
+def test_a_filter_does_not_start_where_only_one_sensor_says_where():
+    """Two lines of sight that meet on a sensor: nothing is known along the other's."""
+    places = np.array([[0.0, 0.0], [0.0, 50.0]])
+    kalman = BearingKalman(places, 0.1, 1.0, 0.001)
+    state = kalman.step(BearingKalmanState(), [0.0, -np.pi / 2])
+    assert np.isnan(state.position).all()
+    state = kalman.step(state, bearings_to((-30.0, 20.0), places))
+    assert state.position == pytest.approx([-30.0, 20.0])
+
+
 def test_angles_that_pass_the_half_turn_are_one_small_step_apart():
     place = np.array([[0.0, 0.0], [0.0, 50.0]])
     kalman = BearingKalman(place, 0.1, 1.0, 0.001)

@@ -88,6 +88,25 @@ def test_a_target_on_a_sensor_is_a_missing_bearing():
     assert "1 samples, first at 0.5 s" in note
 
 
+def test_noisy_sensors_on_one_line_that_the_target_crosses_give_no_error_of_the_program():
+    line = [{"name": n, "position_m": [20.0 * k, 0.0, 0.0]} for k, n in enumerate("abcd")]
+    path = {"kind": "line", "start_m": [20.0, -10.0, 0.0], "velocity_mps": [0.0, 20.0, 0.0]}
+    found = run(
+        (("sensor",), line),
+        (("target",), path),
+        (("noise",), {"kind": "gaussian", "bearing_deg": 0.1}),
+    )
+    assert any("to first order" in note for note in found.notes)
+    assert np.isfinite(found.estimates["ekf"][0][-1]).all()
+    still = path | {"start_m": [90.0, 0.0, 0.0], "velocity_mps": [0.0, 0.0, 0.0]}
+    found = run(
+        (("sensor",), line),
+        (("target",), still),
+        (("noise",), {"kind": "gaussian", "bearing_deg": 1e-9}),
+    )
+    assert any("no position to first order" in note for note in found.notes)
+
+
 @pytest.mark.parametrize("rate", [0.3, 0.9])
 def test_dropouts_keep_the_average_and_come_from_the_seed(rate):
     options = ((("dropout",), {"rate": rate}), (("baselines",), []))

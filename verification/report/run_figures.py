@@ -81,7 +81,8 @@ def _tracks(run: Record) -> Plot:
         if estimate["name"] == run["system"]:
             places = np.array(estimate["position"], dtype=float)
             known = np.isfinite(places).all(axis=1)
-            curves.append(_curve("sharp", places[known], estimate["label"]))
+            if known.any():
+                curves.append(_curve("sharp", places[known], estimate["label"]))
     sensors = [np.array(sensor["position"], dtype=float) for sensor in run["sensors"]]
     curves += [
         _curve("guide", np.stack([sensors[i][0], sensors[j][0]]), "")
@@ -234,7 +235,7 @@ def _listed(values: Floats) -> tuple[float, ...]:
 
 def _positive(curves: Sequence[Curve | Dots], decades: int) -> tuple[float, float]:
     """Ends of a logarithmic axis: at most some decades below the largest value."""
-    values = np.concatenate([np.array(curve.y) for curve in curves])
+    values = np.concatenate([np.zeros(0), *(np.array(curve.y) for curve in curves)])
     values = values[np.isfinite(values) & (values > 0)]
     if not values.size:
         return 0.1, 1.0

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sensortrack.errors import InputError
 from sensortrack.estimators.bearing_noise import covariance
 from sensortrack.kernels.steppers import stepper
 from sensortrack.simulation.bearings import (
@@ -191,13 +192,13 @@ def _expected(scenario: Scenario, time: Floats, target: Floats, seen: Floats) ->
     counted = time >= scenario.header.summary_from_s
     if sigma == 0 or not counted.any():
         return ()
-    flat = places(scenario)
-    traces = [
-        np.trace(covariance(flat[good], place, sigma))
-        for place, good in zip(target[counted], np.isfinite(seen[counted]), strict=True)
-        if good.sum() > 1
-    ]
-    size = f"{np.sqrt(np.mean(traces)):.4g} m rms" if traces else "unknown"
+    flat, traces = places(scenario), []
+    for place, good in zip(target[counted], np.isfinite(seen[counted]), strict=True):
+        try:
+            traces.append(np.trace(covariance(flat[good], place, sigma)))
+        except InputError:  # on one line with all who see it: no position to be off
+            continue
+    size = f"{np.sqrt(np.mean(traces)):.4g} m rms" if traces else "no position"
     return (f"noise alone gives least squares {size} to first order",)
 
 

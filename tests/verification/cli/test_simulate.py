@@ -149,6 +149,27 @@ def test_bearings_have_their_own_figures_and_no_number_where_there_is_none(tmp_p
     assert "NaN" not in (out / "run.json").read_text()
 
 
+def test_a_run_in_which_nobody_ever_knows_has_a_page_that_says_so(tmp_path, capsys):
+    """Target and sensors on one line: a status at every sample, and no number anywhere."""
+    sensors = "".join(
+        f'[[sensor]]\nname = "{name}"\nposition_m = [{x}.0, 0.0, 0.0]\n'
+        for name, x in zip("abc", (0, 10, 20), strict=True)
+    )
+    text = BEARINGS.replace('kind = "ring"\ncount = 5\nsize_m = 50.0\n', "")
+    text = text.replace("[placement]\n", sensors).replace("cycle:5", "path:3")
+    text = text.replace('[[outage]]\nlink = ["1", "2"]\nfrom_s = 0.3\n', "")
+    text = text.replace("start_m = [0.0, 5.0, 0.0]", "start_m = [90.0, 0.0, 0.0]")
+    text = text.replace("[4.0, 1.0, 0.0]", "[1.0, 0.0, 0.0]")
+    path, out = tmp_path / "line.toml", tmp_path / "out"
+    path.write_text(text)
+    assert main(["simulate", str(path), "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert "no sample at which every sensor has a position" in said
+    assert "nan" not in said
+    assert "position error unknown" in (out / "report.html").read_text()
+    assert "position error unknown" in (out / "report.md").read_text()
+
+
 @pytest.mark.parametrize("name", [n for n in shipped_scenarios() if n.startswith("solent")])
 def test_every_bound_is_on_the_right_side_of_a_recorded_track(tmp_path, name):
     out = tmp_path / "out"

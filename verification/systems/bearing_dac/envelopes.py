@@ -76,9 +76,11 @@ def _remark(run: Mapping[str, Any], bound: Floats, columns: slice) -> str:
     profile = _profiles(run)[0]
     start = max(record["disagreement"][0][columns])
     gamma = np.array(record["moved"], dtype=float)[:, columns].max() / float(run["parameters"]["h"])
-    share = max(record["beta"][columns]) / (profile.threshold * gamma) if gamma else np.inf
-    times = f"{share:.3g} times the least for the largest move"
-    return f"{said}, printed for {start / profile.gap:.4g} s; the gain is {times}"
+    said = f"{said}, printed for {start / profile.gap:.4g} s"
+    if gamma == 0:
+        return said
+    share = max(record["beta"][columns]) / (profile.threshold * gamma)
+    return f"{said}; the gain is {share:.3g} times the least for the largest move"
 
 
 CHATTERS = (
@@ -186,6 +188,8 @@ def _position(run: Mapping[str, Any], bound: Floats) -> list[dict[str, Any]]:
     reach = np.full(len(off), np.nan)
     np.divide(d_q + d_p * far, room, out=reach, where=room > 0)
     high = (off + reach) * (1 + ROUNDING) + NOISE_FLOOR * far
+    if not (np.isfinite(high) & np.isfinite(error)).any():
+        return []
     return [_entry(run, "position error", "m", high, error, SOLVED)]
 
 
