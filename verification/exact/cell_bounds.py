@@ -40,8 +40,11 @@ EVERY = 1500
 FINE = 10_000
 """Up to so many nodes many small cells are tried where some large ones do not do."""
 
-LOOSE = Fraction(5, 4)
-"""Ratio of bound and best cut from which on they do not do."""
+SINGLE = 5000
+"""Up to so many nodes each may be a cell of its own where that does not do either."""
+
+LOOSE, VAGUE = Fraction(5, 4), Fraction(2)
+"""Ratios of bound and best cut from which on something does not do."""
 
 LONG = 300_000
 """Nodes from which on there are fewer rounds."""
@@ -146,8 +149,14 @@ def route_by_cells(task: Problem, low: Fraction, steps: int) -> CellRouting:
     if task.n > FINE or found.up <= LOOSE * low:
         return found
     most = min(KEPT // task.n, 32 * steps // (2 * (task.n + len(task.edges))))
-    fine = [math.ceil(task.n / most), 1] if most < task.n else [1]
-    return min(found, _routed(task, numbers, fine, goal, steps, SHORT), key=lambda one: one.up)
+    fine = [math.ceil(task.n / max(1, most)), 1] if most < task.n else [1]
+    tries = [fine] if task.n > SINGLE else [fine, [1]]
+    for cell_sizes in tries:
+        other = _routed(task, numbers, cell_sizes, goal, steps, SHORT)
+        found = min(found, other, key=lambda one: one.up)
+        if found.up <= VAGUE * low:
+            break
+    return found
 
 
 def _routed(
