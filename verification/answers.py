@@ -56,6 +56,7 @@ class Answer:
     """A quantity's or condition's answer; the fields are those of the ``--json`` document.
 
     `more` has further keys of the document, each made when somebody shows it; None leaves it out.
+    `proved` says to a reader how the bounds are.
     """
 
     value: Any = None
@@ -68,6 +69,7 @@ class Answer:
     margin: float | None = None
     notes: tuple[str, ...] = ()
     more: Mapping[str, Callable[[], Detail | None]] = field(default_factory=dict)
+    proved: str = "certified"
 
 
 @dataclass(frozen=True)

@@ -96,7 +96,7 @@ def answer(options: argparse.Namespace, system: str, question: Question) -> tupl
     if options.json:
         print(json.dumps(document))
     else:
-        print("\n".join(lines_of(document, details)))
+        print("\n".join(lines_of(document, details, found.proved)))
     written = out is None or path is not None
     if not written:
         reason = "; ".join(found.notes) or "no witness was found"

@@ -77,18 +77,20 @@ def _digest(system: str, found: Answer) -> str:
     return next((entry.digest for entry in SYSTEMS if entry.name == system), "")
 
 
-def lines_of(document: Mapping[str, Any], details: Mapping[str, Detail]) -> list[str]:
+def lines_of(
+    document: Mapping[str, Any], details: Mapping[str, Detail], proved: str = "certified"
+) -> list[str]:
     """The answer for a reader, a line each, without characters that a terminal acts on."""
-    return [harmless(line) for line in _lines_of(document, details)]
+    return [harmless(line) for line in _lines_of(document, details, proved)]
 
 
-def _lines_of(document: Mapping[str, Any], details: Mapping[str, Detail]) -> list[str]:
+def _lines_of(document: Mapping[str, Any], details: Mapping[str, Detail], proved: str) -> list[str]:
     question = document.get("quantity", document.get("condition"))
     lines = [f"{document['system']}.{question}"]
     lines += [_line(name, _short(value)) for name, value in document["inputs"].items()]
     lines.append("")
     if "quantity" in document:
-        lines += _value_lines(document)
+        lines += _value_lines(document, proved)
     elif document["margin"] is not None:
         lines.append(_line("margin", f"{_digits(document['margin'])} from the threshold"))
     lines.append(_line("verdict", document["verdict"]))
@@ -101,14 +103,14 @@ def _lines_of(document: Mapping[str, Any], details: Mapping[str, Detail]) -> lis
     return lines
 
 
-def _value_lines(document: Mapping[str, Any]) -> list[str]:
+def _value_lines(document: Mapping[str, Any], proved: str) -> list[str]:
     value, exact, printed = document["value"], document["exact"], document["printed"]
     lines = [_line("value", "none" if value is None else _digits(value))]
     if exact is not None:
         lines.append(_line("exactly", _exact(exact)))
     if document["lower"] is not None and document["upper"] is not None:
         ends = f"{_digits(document['lower'])} … {_digits(document['upper'])}"
-        lines.append(_line("bracket", f"{ends} (certified)"))
+        lines.append(_line("bracket", f"{ends} ({proved})"))
     elif document["lower"] is not None:
         lines.append(_line("at least", _digits(document["lower"])))
     elif document["upper"] is not None:

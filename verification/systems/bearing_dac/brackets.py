@@ -89,6 +89,9 @@ def answer(
         reasons.append(TOO_LONG)
     else:
         shown, exact, verdict = None, None, "UNDECIDED"
-        proved = lower is not None and upper is not None
-        reasons.append(OPEN if found.clear is not None else BY_INTEGERS if proved else NO_WITNESS)
-    return Answer(shown, exact, low, high, printed, verdict, document, None, tuple(reasons))
+        both = lower is not None and upper is not None
+        reasons.append(OPEN if found.clear is not None else BY_INTEGERS if both else NO_WITNESS)
+    proved = "certified" if document is not None else "by exact integers, without certificate"
+    return Answer(
+        shown, exact, low, high, printed, verdict, document, None, tuple(reasons), proved=proved
+    )

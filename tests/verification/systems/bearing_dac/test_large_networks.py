@@ -57,6 +57,8 @@ def test_bounds_that_are_too_long_for_a_file_are_given_with_a_note(
     assert (found.value, found.certificate, found.verdict) == (None, None, "UNDECIDED")
     assert (found.lower, found.upper) == (answer.lower, answer.upper)
     assert brackets.BY_INTEGERS in found.notes
+    assert "without certificate" in found.proved
+    assert answer.proved == "certified"
     above = gains.decide_gain(VALUES | {"beta": Fraction(found.upper) + 1})
     assert above.verdict == "UNDECIDED"
     assert any(brackets.BY_INTEGERS in note for note in above.notes)
