@@ -221,7 +221,7 @@ class Cuts:
                 net[i], net[j] = net[i] + amount, net[j] - amount
                 loads[edge] += self.pushes[source] * abs(amount)
             need(not any(net), f"the flow of node {source} leaks")
-        self.settle(loads, self.n * unit)
+        self.settle(self.largest(loads, self.n * unit))
     def cells(self, scale, levels):
         """Carries the means of cells, then of the cells within each, down to single nodes: their loads add up."""
         scale, home, loads = whole(scale), [0] * self.n, [0] * len(self.edges)
@@ -261,10 +261,19 @@ class Cuts:
             place = {key: number for number, key in enumerate(parts)}
             home = [place[key] for key in keys]
         need(len({*home}) == self.n, "cells of several nodes are left")
-        self.settle(loads, scale)
-    def settle(self, loads, scale):
+        self.settle(self.largest(loads, scale))
+    def gap(self, least, order, bits):
+        """k >= lambda_2 p and N <= 2 p times the largest gamma: good where a network expands."""
+        near, least = [{} for _ in range(self.n)], number(least)
+        for i, j, w in self.edges:
+            near[i][j] = near[j][i] = w
+        need(least > 0, "a positive bound on lambda_2 is due")
+        eliminate(self.proof, near, least, order, bits)
+        self.settle(2 * max(self.pushes) / least)
+    def largest(self, loads, scale):
+        return max((x / w for x, (*_, w) in zip(loads, self.edges)), default=1) / scale
+    def settle(self, top):
         """N/k is at most the largest load; with one gamma, a cut of s nodes has a weight of at least c grains."""
-        top = max((x / w for x, (*_, w) in zip(loads, self.edges)), default=1) / scale
         if not self.even:
             return need(not self.r and top <= self.b * self.unit, f"the routing proves {top / self.unit} only")
         degrees = sorted(map(len, self.near))
@@ -424,7 +433,8 @@ def clear_part(proof, item, graph, part, gamma, b, f, e):
         for factor, entry in zip(graph.factors, inner):
             clear_part(proof, entry, factor, factor.parts[0], gamma, b, f, e)
     else:
-        item = fields(item, {"tree": "", "enumeration": "order", "routing": "unit flows", "cells": "scale levels"})
+        item = fields(item, {"tree": "", "enumeration": "order", "routing": "unit flows", "cells": "scale levels",
+                             "gap": "least order bits"})
         getattr(Cuts(proof, part, gamma, b, f, e), item.pop("kind"))(**item)
 def cut_reaches(proof, graph, gamma, b, f, e, strict=False):
     """Some cut has b k <= N or f (b k - N)^2 <= E p; if strict, N > b k."""
@@ -450,16 +460,16 @@ def gap_above(proof, graph, s):
     item = proof.take({"product": "parts"} if graph.factors else {"sparse_ldl": "order bits"})
     parts = listed(item["parts"], len(graph.factors)) if graph.factors else [item]
     for part, entry in zip(graph.factors or [graph], parts):
-        eliminate(proof, part, s.number(), **fields(entry, {"sparse_ldl": "order bits"}))
-def eliminate(proof, graph, s, order, bits, **_):
+        eliminate(proof, part.near, s.number(), **fields(entry, {"sparse_ldl": "order bits"}))
+def eliminate(proof, near, s, order, bits, **_):
     """L - s I, in units of 4^-bits and weights rounded down, is >= 0 on a hyperplane."""
     # It is the sum of sign(c) (|c|, q)(|c|, q)' over all columns, c < 0 once at most, and of a dominant matrix >= 0.
-    order, bits, rows, slack = listed(order, graph.n, whole), whole(bits), [], [0] * graph.n
-    need(0 <= bits <= DIGITS and sorted(order) == [*range(graph.n)], "no order of the nodes")
+    order, bits, rows, slack = listed(order, len(near), whole), whole(bits), [], [0] * len(near)
+    need(0 <= bits <= DIGITS and sorted(order) == [*range(len(near))], "no order of the nodes")
     at, unit, live, negative = {v: k for k, v in enumerate(order)}, 4**bits, 0, 0
     cost = 1 + (bits // 100) ** 2  # of a product
     for k, v in enumerate(order):  # the upper triangle
-        links = {at[u]: w.numerator * unit // w.denominator for u, w in graph.near[v].items()}
+        links = {at[u]: w.numerator * unit // w.denominator for u, w in near[v].items()}
         rows.append(collections.defaultdict(int, {j: -w for j, w in links.items() if j > k}))
         rows[k][k] = sum(links.values()) - math.ceil(s * unit)
     for k, row in enumerate(rows):

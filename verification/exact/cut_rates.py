@@ -14,7 +14,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from .cut_problem import Hurdle, Problem
+from .cut_problem import Aim, Hurdle, Problem
 
 
 def least_weights(task: Problem, up: Fraction) -> Iterator[tuple[int, int, int]]:
@@ -42,25 +42,42 @@ def least_weights(task: Problem, up: Fraction) -> Iterator[tuple[int, int, int]]
         yield max(1, out, -(-top * s * (n - s) // bottom)), task.load(s, s * gamma), s
 
 
-def routed_hurdle(task: Problem, start: Hurdle, goal: Hurdle, up: Fraction) -> Hurdle | None:
-    """The strongest hurdle of rate that a bound on 2 p/k shows for all cuts.
+def shown_hurdle(
+    task: Problem, start: Hurdle, goal: Hurdle, aim: Aim, up: Fraction
+) -> Hurdle | None:
+    """The strongest hurdle that a bound on 2 p/k shows for all cuts.
 
     Parameters
     ----------
     task : Problem
-        One bound for all nodes.
     start : Hurdle
         Carries b and c.
     goal : Hurdle
-        That of the best cut known; it is returned if all cuts clear it.
+        That of the best cut known; it is returned if all cuts are shown to clear it.
+    aim : Aim
+        ``RATIO`` or ``RATE``.
     up : Fraction
         Upper bound on 2 p/k.
 
     Returns
     -------
     Hurdle or None
-        None if no rate above 0 is shown.
+        None if no rate above 0 is shown, as for bounds that are not all the same.
     """
+    if aim is Aim.RATE:
+        return _rate_hurdle(task, start, goal, up) if task.even else None
+    top = up * Fraction(max(task.gamma), task.gamma_unit)
+    if top <= task.ratio(goal) or (task.even and clears_all(task, goal, up)):
+        return goal
+    return task.gain_hurdle(top)
+
+
+def clears_all(task: Problem, goal: Hurdle, up: Fraction) -> bool:
+    """Whether no cut can fail a hurdle, as 2 p/k is at most `up`; one bound for all nodes."""
+    return all(goal.clears(task.n, k, load, s) for k, load, s in least_weights(task, up))
+
+
+def _rate_hurdle(task: Problem, start: Hurdle, goal: Hurdle, up: Fraction) -> Hurdle | None:
     found = goal
     for k, load, s in least_weights(task, up):
         if not found.clears(task.n, k, load, s):

@@ -15,10 +15,11 @@ from verification.progress import tell
 
 from .cell_bounds import route_by_cells
 from .cell_routing import CellRouting
+from .cut_gap import gap_bound, is_dense, may_improve
 from .cut_local import congested_cut, good_cut
 from .cut_orders import orders
 from .cut_problem import Aim, Hurdle, Problem
-from .cut_rates import routed_hurdle
+from .cut_rates import shown_hurdle
 from .cut_search import LARGEST, Found, Walk
 from .large_cuts import large_cut
 from .routing import Routing, better_routing, closes, first_routing
@@ -135,7 +136,9 @@ def solve(task: Problem, start: Hurdle, aim: Aim, budget: Budget) -> Solved:
     look = good_cut if task.n <= SMALL else large_cut
     tell(f"{task.n} nodes: bad cuts")
     solved = _with(task, start, aim, Solved((), start), look(task, start, aim))
-    if solved.hurdle is None:
+    if is_dense(task):
+        solved = _expanding(task, start, solved, aim)
+    if solved.hurdle is None or solved.closed or (is_dense(task) and task.n > EXPLICIT):
         return solved
     for limit, count in zip(LIMITS, (None, LATE_ORDERS), strict=True):
         solved = _searched(task, solved, aim, min(limit, budget.visits), count)
@@ -144,6 +147,8 @@ def solve(task: Problem, start: Hurdle, aim: Aim, budget: Budget) -> Solved:
         if limit == LIMITS[0]:
             road = _routed if aim is Aim.RATIO else _rated
             solved = road(task, start, solved, budget)
+            if not (solved.closed or is_dense(task)):
+                solved = _expanding(task, start, solved, aim)
             if solved.closed or task.n > EXPLICIT:
                 return solved
     solved = _valued(task, solved, aim, budget)
@@ -285,11 +290,24 @@ def _rated(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solv
     if ratio.shown is None:
         return solved
     up = unit.ratio(ratio.shown.hurdle)
-    hurdle = routed_hurdle(task, start, solved.hurdle, up)
+    hurdle = shown_hurdle(task, start, solved.hurdle, Aim.RATE, up)
     if hurdle is None:
         return solved
-    shown = replace(ratio.shown, hurdle=hurdle)
-    return replace(solved, shown=shown, complete=hurdle == solved.hurdle)
+    return _stronger(task, Aim.RATE, solved, replace(ratio.shown, hurdle=hurdle))
+
+
+def _expanding(task: Problem, start: Hurdle, solved: Solved, aim: Aim) -> Solved:
+    """What the second eigenvalue shows, if that is more than is shown already."""
+    if solved.hurdle is None:
+        return solved
+    k, _, s = task.measure(solved.cut)
+    bound = gap_bound(task) if is_dense(task) or may_improve(task, (k, s)) else None
+    if bound is None:
+        return solved
+    hurdle = shown_hurdle(task, start, solved.hurdle, aim, bound.up)
+    if hurdle is None:
+        return solved
+    return _stronger(task, aim, solved, Shown(hurdle, bound.part, bound.steps))
 
 
 def _carried(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solved:
@@ -310,7 +328,15 @@ def _with_routing(task: Problem, solved: Solved, routing: Routing | CellRouting)
     assert hurdle is not None
     closed = closes(task, hurdle, routing.up)
     shown = Shown(hurdle if closed else task.gain_hurdle(routing.up), part, routing.steps)
-    return replace(solved, shown=shown, complete=closed)
+    return _stronger(task, Aim.RATIO, solved, shown)
+
+
+def _stronger(task: Problem, aim: Aim, solved: Solved, shown: Shown) -> Solved:
+    """Keep what is shown if it says more than what was shown before."""
+    known = solved.shown
+    if known is not None and _as_strong(task, aim, known.hurdle, shown.hurdle):
+        return solved
+    return replace(solved, shown=shown, complete=shown.hurdle == solved.hurdle)
 
 
 def _valued(task: Problem, solved: Solved, aim: Aim, budget: Budget) -> Solved:

@@ -21,6 +21,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+import numpy as np
+
 from sensortrack.networks import Network
 
 from .cut_components import (
@@ -39,6 +41,8 @@ from .cut_roads import Budget, Shown, Solved, refute_or_show
 DEFAULT = Budget()
 ANY_LOAD = Hurdle(0, 1)
 WEIGHT_ALONE = Hurdle(1, 0)
+LARGE_PRODUCT = 50_000
+"""Nodes of a product above which rates are not bracketed: its edges are then not listed."""
 
 
 @dataclass(frozen=True)
@@ -125,6 +129,8 @@ def margin(network: Network, budget: Budget = DEFAULT) -> CutBracket:
     InputError
         The network has no edge.
     """
+    if network.factors and network.n > LARGE_PRODUCT:
+        return _lightest_node(network.factors, network.n)
     parts = components(network, [Fraction(0)] * network.n)
     found = solved(parts, [WEIGHT_ALONE] * len(parts), Aim.RATE, budget)
     of = _bracket(network, parts, found, lambda part, hurdle: 1 / part.task.margin_squared(hurdle))
@@ -280,6 +286,17 @@ def _threshold_of_factors(network: Network, gamma: Fraction, budget: Budget) -> 
         lowers[place] if known else None,
         product=True,
     )
+
+
+def _lightest_node(factors: Sequence[Network], n: int) -> CutBracket:
+    """The cut around one node of a large product, without listing its edges."""
+    node, degree = 0, 0
+    for factor in factors:
+        degrees = np.bincount(factor.edges.ravel(), minlength=factor.n)
+        place = int(degrees.argmin())
+        node, degree = node * factor.n + place, degree + int(degrees[place])
+    value = Fraction(degree**2 * n, n - 1)
+    return CutBracket(None, value, (node,), cut_item((node,)), None, None)
 
 
 def _inverse(value: Fraction | None) -> Fraction | None:

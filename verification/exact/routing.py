@@ -15,7 +15,6 @@ approximation algorithms", Journal of the ACM 46 (1999): concurrent flows and sp
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
@@ -26,6 +25,7 @@ from numpy.typing import NDArray
 from sensortrack.networks import Network
 
 from .cut_problem import Hurdle, Problem, problem
+from .cut_rates import clears_all
 from .flow_programs import better_flows
 from .flows import Carrier, Flows, electrical_flows
 
@@ -136,17 +136,11 @@ def better_routing(task: Problem, first: Routing, target: Hurdle) -> Routing:
 
 
 def closes(task: Problem, target: Hurdle, up: Fraction) -> bool:
-    """Whether no cut can lie strictly above the target and not above `up`.
-
-    With one bound gamma for all nodes N/k is 2 gamma s (n - s)/(n k), and k is a multiple of one
-    over the common denominator of the weights.
-    """
+    """Whether no cut can lie strictly above the target and not above `up`."""
     low = task.ratio(target)
     if up <= low or not task.even or low <= 0:
         return up <= low
-    scale = Fraction(task.weight_unit, task.n * task.gamma_unit)
-    loads = [task.load(s, s * task.gamma[0]) for s in range(1, task.n // 2 + 1)]
-    return all(math.ceil(load * scale / up) >= load * scale / low for load in loads)
+    return clears_all(task, target, up * Fraction(task.gamma_unit, task.gamma[0]))
 
 
 def largest_load(task: Problem, unit: int, flows: NDArray[np.int64]) -> Fraction:

@@ -24,6 +24,7 @@ GAINS = {
 }
 SCALARS = {"M": ONE, "K": ONE, "C": ONE}
 LDL = {"kind": "sparse_ldl", "order": [2, 0, 3, 1], "bits": 12}
+RING_GAP = LDL | {"kind": "gap", "least": "199/100"}
 FLIP = {"kind": "vector", "x": [1]}
 
 
@@ -121,6 +122,8 @@ EXPLICIT = [
      [cuts(ring_routing()), {"kind": "cut", "nodes": [1, 2]}], {"lower": "3", "upper": "3"}),
     ("bearing_dac.gain_threshold", {"graph": RING, "gamma": "3"},
      [cuts(ring_cells()), {"kind": "cut", "nodes": [1, 2]}], {"lower": "3", "upper": "3"}),
+    ("bearing_dac.gain_threshold", {"graph": RING, "gamma": "3"},
+     [cuts(RING_GAP), {"kind": "cut", "nodes": [1, 2]}], {"lower": "3", "upper": "3"}),
     ("bearing_dac.gain_threshold", {"graph": APART, "gamma": "1"}, [cuts(TREE, TREE), CUT],
      {"lower": "1", "upper": "1"}),
     ("bearing_dac.gain_threshold", {"graph": LADDER, "gamma": "1"},

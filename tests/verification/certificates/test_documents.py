@@ -34,7 +34,7 @@ def test_the_checker_is_short_and_not_wide():
 
 def test_the_kinds_of_witness_are_found_in_the_checker():
     assert {"congruence", "vector", "matrix", "derivation", "cuts", "cut", "trajectory"} <= {*KINDS}
-    assert {"tree", "enumeration", "routing", "cells", "product", "sparse_ldl"} <= {*KINDS}
+    assert {"tree", "enumeration", "routing", "cells", "gap", "product", "sparse_ldl"} <= {*KINDS}
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -53,6 +53,6 @@ def test_every_kind_of_witness_and_every_predicate_is_in_a_sample_or_known_to_be
         "congruence", "combination", "vector", "cuts", "cut", "trajectory", "derivation",
         "sparse_ldl", "product",
     } | (kinds & {"matrix"})  # fmt: skip
-    assert parts == {"tree", "enumeration", "routing", "cells", "product", "sparse_ldl"}
+    assert parts == {"tree", "enumeration", "routing", "cells", "gap", "product", "sparse_ldl"}
     shown = " ".join(p for e in known.values() for c in e["cases"].values() for p in c["show"])
     assert all(f"{name}(" in shown for name in check.PREDICATES)

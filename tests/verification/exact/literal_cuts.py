@@ -102,9 +102,8 @@ def check_clear(
     components = network.components()
     for nodes, part in zip(components, witness["parts"], strict=True):
         component = Component(network.subnetwork(nodes), [gamma[i] for i in nodes])
-        {"tree": tree, "enumeration": enumeration, "routing": routing, "cells": cells}[
-            part["kind"]
-        ](component, b, f, spread(e, nodes), part)
+        rule = {"tree": tree, "enumeration": enumeration, "routing": routing, "cells": cells}
+        (rule | {"gap": gap})[part["kind"]](component, b, f, spread(e, nodes), part)
 
 
 def tree(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
@@ -167,6 +166,22 @@ def routing(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str,
         if net != [unit * (c.n * (i == source) - 1) for i in range(c.n)]:
             raise Refused(f"the flow of {source}")
     settle(c, b, f, e, max(loads))
+
+
+def gap(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:
+    """lambda_2 is at least this, by elimination in rationals of the Laplacian on sums of zero."""
+    least = Fraction(part["least"])
+    rows = [[(least + 1) / c.n - least * (i == j) for j in range(c.n)] for i in range(c.n)]
+    for (i, j), w in zip(c.pairs, c.weights, strict=True):
+        for row, column, value in ((i, i, w), (j, j, w), (i, j, -w), (j, i, -w)):
+            rows[row][column] += value
+    for k in range(c.n):
+        if rows[k][k] <= 0:
+            raise Refused("the second eigenvalue is smaller")
+        for i in range(k + 1, c.n):
+            ratio = rows[i][k] / rows[k][k]
+            rows[i] = [x - ratio * y for x, y in zip(rows[i], rows[k], strict=True)]
+    settle(c, b, f, e, 2 * max(c.pushes) / least)
 
 
 def cells(c: Component, b: Fraction, f: Fraction, e: Fraction, part: dict[str, Any]) -> None:

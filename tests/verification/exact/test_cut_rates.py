@@ -10,7 +10,7 @@ from sensortrack.networks import read_network
 from tests.strategies import connected_networks, rationals
 from tests.verification.certificates.cut_cases import all_cuts
 from verification.exact.cut_problem import Aim, Hurdle, problem
-from verification.exact.cut_rates import least_weights, routed_hurdle
+from verification.exact.cut_rates import least_weights, shown_hurdle
 from verification.exact.cuts import margin, slowest
 
 
@@ -45,7 +45,7 @@ def test_every_cut_clears_what_is_shown(network, gamma, beta):
     least = min(every, key=lambda cut: beta * cut[1] - cut[2])
     goal = start.marked(Aim.RATE, task.n, *task.measure(tuple(least[0])))
     if goal is not None:
-        shown = routed_hurdle(task, start, goal, sharp_ratio(network))
+        shown = shown_hurdle(task, start, goal, Aim.RATE, sharp_ratio(network))
         for inside, *_ in every if shown else ():
             assert shown.clears(task.n, *task.measure(tuple(inside)))
 
@@ -79,4 +79,14 @@ def test_a_settling_time_of_a_large_network_is_bracketed():
 def test_a_hurdle_that_no_weight_clears_shows_nothing():
     task = problem(read_network("cycle:8"), [Fraction(1)] * 8)
     start = task.gain_hurdle(Fraction(1, 10))
-    assert routed_hurdle(task, start, Hurdle(start.b, start.c, 1, 1), Fraction(2)) is None
+    goal = Hurdle(start.b, start.c, 1, 1)
+    assert shown_hurdle(task, start, goal, Aim.RATE, Fraction(2)) is None
+
+
+def test_a_large_product_is_bounded_by_its_lightest_node_without_its_edges():
+    found = margin(read_network("hypercube:20"))
+    assert found.upper == Fraction(400 * 2**20, 2**20 - 1)
+    assert found.clear is None
+    network = read_network("grid:300,200")
+    corner = margin(network)
+    assert weight_of(network, corner.cut)[0] == 2
