@@ -143,6 +143,25 @@ void sensortrack_sign_rows(int32_t from, int32_t to, int32_t width, const int32_
     }
 }
 
+#ifdef __AVX512F__
+
+static __m128d pair(const double *x, const int32_t *at)
+{
+    return _mm_loadh_pd(_mm_load_sd(x + at[0]), x + at[1]);
+}
+
+/* Eight numbers from eight places: single loads are quicker than the instruction that gathers. */
+static __m512d gathered(const double *x, const int32_t *at)
+{
+    const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(x, at)),
+                                             pair(x, at + 2), 1);
+    const __m256d high = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(x, at + 4)),
+                                              pair(x, at + 6), 1);
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
+}
+
+#endif
+
 /* One component without weights. Eight nodes make a slice: slice[s] .. slice[s + 1] - 1 are its
  * columns of eight neighbours, a node with fewer filled up with itself, for sgn(0) = 0. */
 void sensortrack_sign_slices(int32_t from, int32_t to, int32_t n, const int32_t *slice,
@@ -162,10 +181,17 @@ void sensortrack_sign_slices(int32_t from, int32_t to, int32_t n, const int32_t 
         const __m512d own = _mm512_maskz_loadu_pd(in, x + start);
         __m512d up = _mm512_setzero_pd(), down = up;
         for (j = slice[s]; j < slice[s + 1]; j++) {
-            const __m256i at = _mm256_loadu_si256((const __m256i *)(index + LANES * (ptrdiff_t)j));
-            const __m512d other = _mm512_i32gather_pd(at, x, 8);
+            const __m512d other = gathered(x, index + LANES * (ptrdiff_t)j);
             up = raised(up, _mm512_cmp_pd_mask(own, other, _CMP_GT_OQ));
             down = raised(down, _mm512_cmp_pd_mask(own, other, _CMP_LT_OQ));
+        }
+        if (!place) {
+            const __m512d move = _mm512_mul_pd(_mm512_set1_pd(c), _mm512_sub_pd(up, down));
+            const __m512d next = _mm512_sub_pd(_mm512_maskz_loadu_pd(in, w + start), move);
+            const __m512d given = _mm512_maskz_loadu_pd(in, r + start);
+            _mm512_mask_storeu_pd(w_out + start, in, next);
+            _mm512_mask_storeu_pd(x_out + start, in, _mm512_add_pd(next, given));
+            continue;
         }
         _mm512_storeu_pd(sum, _mm512_sub_pd(up, down));
 #else
