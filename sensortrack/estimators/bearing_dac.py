@@ -265,22 +265,35 @@ class BearingDac:
         Raises
         ------
         InputError
-            The sensor is unknown or has left, or there is no neighbour that stays.
+            The sensor is unknown, has left or is the last, or no neighbour stays.
         """
         place = self._place(sensor)
         if not state.present[place]:
             raise InputError("sensor", f"{sensor} has left", "one that takes part is needed")
         present = state.present.copy()
         present[place] = False
+        if not present.any():
+            raise InputError("sensor", f"{sensor} is the last", "one that stays is needed")
         w = state.w.copy()
         if hand_over:
-            heir = next((j for j in self._neighbours(place) if present[j]), None)
+            heir = self.heir(state, sensor)
             if heir is None:
                 needed = "a neighbour that stays is needed to hand over to"
                 raise InputError("sensor", f"{sensor} has no neighbour left", needed)
-            w[heir] += w[place]
+            w[self._place(heir)] += w[place]
             w[place] = 0.0
         return self._with(replace(state, present=present), w)
+
+    def heir(self, state: BearingState, sensor: str) -> str | None:
+        """The neighbour to which a sensor that leaves hands over; None if it has none that stays.
+
+        Raises
+        ------
+        InputError
+            The sensor is unknown.
+        """
+        neighbours = self._neighbours(self._place(sensor))
+        return next((self.names[j] for j in neighbours if state.present[j]), None)
 
     def join(self, state: BearingState, sensor: str) -> BearingState:
         """Take a sensor in again, with what it held when it left.

@@ -43,7 +43,7 @@ class Trace:
         Samples before which somebody left or joined; the first is one.
     notes : list of (float, tuple of str)
     biased : bool
-        Somebody failed without handing over, so that the others agree on another average.
+        Somebody went without handing over, so that the others agree on another average.
     inexact : (int, float)
         Steps that are not exact up to rounding, and how far the worst may be off, in units of the
         signal.
@@ -120,9 +120,11 @@ class Follower:
         restarts, notes = [True], [(float(time[0]), state.notes)]
         before = self._signals(state)
         moves = [(np.zeros(before.shape[1]),) * 2]
-        errors = []
+        errors: list[float] = []
+        stranded: list[str] = []
         for k, t in enumerate(time[1:], start=1):
-            changed = self._membership(state, float(t))
+            changed, alone = self._membership(state, float(t))
+            stranded += alone
             joined = changed.present
             state = estimator.step(float(t), changed, _bearings(names, angles[k]), carry[k])
             after = self._signals(state)
@@ -133,7 +135,9 @@ class Follower:
             before = after
             rows.append(_row(estimator, state))
             errors += [] if state.status.exact else [state.status.error]
-            notes.append((float(t), state.notes))
+            notes.append(
+                (float(t), (*(f"{s} has nobody to hand over to" for s in alone), *state.notes))
+            )
         positions, known, present, apart, average = map(np.array, zip(*rows, strict=True))
         moved, spread = map(np.array, zip(*moves, strict=True))
         graphs = carry & present[:, estimator.network.edges].all(axis=2)
@@ -149,25 +153,29 @@ class Follower:
             graphs,
             np.array(restarts),
             notes,
-            any(fault.kind == "fails" for fault in self.scenario.faults),
+            bool(stranded) or any(fault.kind == "fails" for fault in self.scenario.faults),
             (len(errors), max(errors, default=0.0)),
         )
 
     def _signals(self, state: BearingState) -> Floats:
         return state.x - state.w
 
-    def _membership(self, state: BearingState, t: float) -> BearingState:
-        """Those who leave or join between the last sample and this one."""
+    def _membership(self, state: BearingState, t: float) -> tuple[BearingState, list[str]]:
+        """Those who leave or join between the last sample and this one; who has no heir."""
+        alone = []
         for fault in self.scenario.faults:
             if fault.kind not in LEAVING:
                 continue
             place = self.estimator.names.index(fault.sensor)
             gone = _lasts(fault, t)
             if gone and state.present[place]:
-                state = self.estimator.leave(state, fault.sensor, fault.kind == "leaves")
+                heir = self.estimator.heir(state, fault.sensor)
+                hands_over = fault.kind == "leaves" and heir is not None
+                alone += [fault.sensor] if fault.kind == "leaves" and heir is None else []
+                state = self.estimator.leave(state, fault.sensor, hands_over)
             elif not gone and _lasts(fault, state.time) and not state.present[place]:
                 state = self.estimator.join(state, fault.sensor)
-        return state
+        return state, alone
 
 
 def _lasts(fault: FaultPart, t: float) -> bool:

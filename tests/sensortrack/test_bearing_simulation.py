@@ -169,6 +169,20 @@ def test_who_fails_biases_the_others():
     assert found.errors("bearing_dac")[0][-1] > 1e-3
 
 
+def test_who_leaves_without_neighbours_is_noted_and_the_last_one_stays():
+    gone = [
+        {"kind": "leaves", "sensor": "a", "from_s": 0.2},
+        {"kind": "leaves", "sensor": "b", "from_s": 0.4},
+    ]
+    star = (("network", "family"), "star:4"), (("baselines",), [])
+    found = run(*star, (("fault",), gone))
+    assert any("b has nobody to hand over to" in note for note in found.notes)
+    assert found.extra["consensus"]["biased"]
+    everyone = [{"kind": "fails", "sensor": name, "from_s": 0.5} for name in "abcd"]
+    with pytest.raises(InputError, match="is the last"):
+        run(*star, (("fault",), everyone))
+
+
 @pytest.mark.parametrize(
     "network,links",
     [
