@@ -194,3 +194,44 @@ def test_complete_graphs_are_late_below_the_stated_disturbance_only(n):
 
     assert rate(limit) == pytest.approx(n)
     assert rate(0.99 * limit) < n < rate(1.01 * limit)
+
+
+DASH = np.array([[0.5, 0.0], [-0.5, 0.0], [-0.5, 0.05]])
+"""Three sensors; the target rests at (0, -1), then runs north at 10 m/s to (0, 1)."""
+TRIANGLE = np.array([[-1.0, -1, 0], [1, 0, -1], [0, 1, 1]])
+
+
+def offsets_of_a_dash(gain, step=5e-4, rest=0.05, speed=10.0):
+    """Largest error of a position after the first agreement, by implicit steps; largest rate."""
+    x = before = passing(-1.0)
+    agreed, worst, rate = False, 0.0, 0.0
+    for k in range(1, round((rest + 0.25) / step)):
+        north = float(np.clip(-1 + speed * (k * step - rest), -1, 1))
+        now = passing(north)
+        rate = max(rate, float(np.abs(now - before).max()) / step)
+        x, flow = x + now - before, np.zeros((3, 5))
+        for _ in range(40):
+            flow = np.clip(flow + TRIANGLE.T @ (x - TRIANGLE @ flow) / 3, -step * gain, step * gain)
+        x, before = x - TRIANGLE @ flow, now
+        agreed |= bool(np.abs(x - now.mean(axis=0)).max() < 1e-12)
+        for p11, p12, p22, *q in x if agreed else ():
+            place = np.linalg.solve([[p11, p12], [p12, p22]], q)
+            worst = max(worst, float(np.hypot(place[0], place[1] - north)))
+    return worst, rate
+
+
+def passing(north):
+    """Three entries of P and two of q of each sensor, the target at (0, north)."""
+    angle = np.arctan2(north - DASH[:, 1], -DASH[:, 0])
+    h = np.stack([-np.sin(angle), np.cos(angle)])
+    return np.stack([h[0] ** 2, h[0] * h[1], h[1] ** 2, *((h * DASH.T).sum(axis=0) * h)], axis=1)
+
+
+def test_the_printed_gain_loses_a_moving_target_on_the_triangle():
+    """In floating point: gamma = 20 bounds the rates, and the threshold is 40/3."""
+    printed = 1 + 20 * math.sqrt(3) / 3
+    worst, rate = offsets_of_a_dash(printed)
+    assert rate < 20
+    assert printed < 40 / 3
+    assert worst > 0.1
+    assert offsets_of_a_dash(40 / 3)[0] < 1e-9

@@ -40,8 +40,8 @@ def time() -> Decision:
         reason="Three sensors, all linked, see a target that rests under genuine bearings with "
         f"rational sines; at t = {found.t}, after t* = {found.printed:.5g}, P_x is exact and q_x "
         f"is not, replayed in rationals: sensor 1 is {wrong:.3g} m off, the target "
-        f"{found.distance} m away. Whether bearings of one target can break the printed gain as "
-        "well is not decided here.",
+        f"{found.distance} m away. With a target that moves the printed gain fails as well, "
+        "in floating point only.",
         printed=f"{found.printed:.5g}",
         sharp=f"{found.sharp:.5g}",
         printed_value=found.printed,
