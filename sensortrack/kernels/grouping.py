@@ -140,7 +140,5 @@ def _routed(links: Links, forest: Forest, missing: Floats) -> Floats:
         if parent >= 0:
             below[parent] += below[moment]
             found[link[moment]] = below[moment]
-    outward = links.ends[np.maximum(forest.link, 0), 0] == forest.order
-    turned = forest.link[(forest.link >= 0) & ~outward]
-    found[turned] *= -1
+    found[forest.link[forest.below]] *= forest.toward
     return found

@@ -5,7 +5,7 @@ from math import ceil
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sensortrack.consensus import SignConsensus
@@ -74,6 +74,20 @@ def test_a_point_is_optimal_and_keeps_the_mean(network, seed, whole) -> None:
     assert np.abs(lost).max(initial=0) < 64 * ULP
     for part in network.components():
         assert abs(found.x[part].sum() - y[part].sum()) < 64 * ULP
+
+
+@compiles
+@settings(max_examples=25)
+@given(networks(max_nodes=7), st.integers(0, 99))
+def test_a_point_is_the_same_without_a_compiler(network, seed) -> None:
+    links = links_of(network)
+    y, capacity = drawn(links, seed, whole=True)
+    in_c = proximal(links, y, capacity)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(WITHOUT, "1")
+        without = proximal(links, y, capacity)
+    assert np.array_equal(in_c.x, without.x)
+    assert in_c.error == without.error == 0
 
 
 @given(trees(min_nodes=2, max_nodes=9), st.integers(0, 99), st.booleans())
