@@ -8,14 +8,14 @@ in statements.json beside this file and is printed; every matrix in it is comput
 witness can make the proof succeed or fail, but never change what is proved. Each kind of witness rests on one
 elementary lemma, proved in docs/verification/lemmas.md. Exit status: 0 all valid, 1 one is not, 2 one is unreadable.
 """
-import ast, collections, hashlib, json, math, operator, pathlib, re, sys
+import ast, hashlib, json, math, operator, pathlib, re, sys
 from fractions import Fraction
 
 FORMAT = "sensortrack-certificate/1"
 FILE_BYTES, DIGITS = 1 << 26, 4000  # of a file; of a number
 DENOMINATORS, SCALED = 100_000, 1_000_000_000  # digits of all denominators together; of all numbers over one
 NODES, CUT_STEPS, PRODUCTS = 600, 2_000_000, 10_000  # of a matrix of a graph; of a proof; of terms of expressions
-LIVE = 10_000_000  # entries that an elimination holds beyond the links of its graph
+LIVE = 1 << 31  # twice the bytes that an elimination may hold
 POSITIVE = {"positive definite", "positive semidefinite"}
 NUMBER = re.compile(rf"-?[0-9]{{1,{DIGITS}}}(/[1-9][0-9]{{0,{DIGITS - 1}}})?")
 
@@ -464,29 +464,47 @@ def gap_above(proof, graph, s):
 def eliminate(proof, near, s, order, bits, **_):
     """L - s I, in units of 4^-bits and weights rounded down, is >= 0 on a hyperplane."""
     # It is the sum of sign(c) (|c|, q)(|c|, q)' over all columns, c < 0 once at most, and of a dominant matrix >= 0.
-    order, bits, rows, slack = listed(order, len(near), whole), whole(bits), [], [0] * len(near)
+    # What is taken from later rows waits there as one integer a row, in digits of `wide` bytes around 0, one a place.
+    order, bits, slack, load = listed(order, len(near), whole), whole(bits), [0] * len(near), [0] * len(near)
     need(0 <= bits <= DIGITS and sorted(order) == [*range(len(near))], "no order of the nodes")
-    at, unit, live, negative = {v: k for k, v in enumerate(order)}, 4**bits, 0, 0
-    cost = 1 + (bits // 100) ** 2  # of a product
-    for k, v in enumerate(order):  # the upper triangle
-        links = {at[u]: w.numerator * unit // w.denominator for u, w in near[v].items()}
-        rows.append(collections.defaultdict(int, {j: -w for j, w in links.items() if j > k}))
-        rows[k][k] = sum(links.values()) - math.ceil(s * unit)
-    for k, row in enumerate(rows):
-        free, live, rows[k] = row.pop(k) - slack[k], live - len(row), None
-        width = len(column := [(j, w) for j, w in sorted(row.items()) if w])
-        proof.steps += cost * width**2 // 1000
-        need(proof.steps <= CUT_STEPS and cost * (live + width**2 // 2) <= LIVE, "too much to eliminate")
+    at, unit, live, negative, waiting = {v: k for k, v in enumerate(order)}, 4**bits, 0, 0, [[] for _ in order]
+    links = [{at[u]: w.numerator * unit // w.denominator for u, w in near[v].items()} for v in order]
+    shift = math.ceil(s * unit)
+    wide = (abs(shift) + max(sum(own.values()) for own in links)).bit_length() // 8 + bits // 8 + 4
+    zero = (half := 1 << 8 * wide - 1).to_bytes(wide, "little")
+    def digits(x, count):
+        text = (x + int.from_bytes(zero * count, "little")).to_bytes(count * wide, "little")
+        return [text[i : i + wide] for i in range(0, count * wide, wide)]
+    for k, own in enumerate(links):
+        spots = sorted({k, *(j for j in own if j > k)}.union(*(places for places, _ in waiting[k])))
+        size, rows, spot = len(spots), [0] * len(spots), {j: i for i, j in enumerate(spots)}
+        live += size**2 - sum(len(places) ** 2 for places, _ in waiting[k])
+        proof.steps += (size * wide) ** 2 // 400_000
+        need(proof.steps <= CUT_STEPS and live * wide <= LIVE, "too much to eliminate")
+        for places, packed in waiting[k]:
+            to = [spot[j] for j in places]
+            rows = [x + y for x, y in zip(rows, packed)] if places == spots else rows
+            for i, x in enumerate(packed if places != spots else ()):  # to be moved to its places
+                parts = [zero] * (size - to[i])
+                for t, part in zip(to[i:], digits(x, len(to) - i)):
+                    parts[t - to[i]] = part
+                rows[to[i]] += int.from_bytes(b"".join(parts), "little") - int.from_bytes(zero * len(parts), "little")
+        parts, waiting[k] = digits(rows[0], size), None
+        column = [int.from_bytes(part, "little") - half - own.get(j, 0) for j, part in zip(spots, parts)]
+        free, width = column[0] + sum(own.values()) - shift - slack[k], sum(map(bool, column[1:]))
         c = math.isqrt(max(free - (width * math.isqrt(max(free, 0)) + 1) // 2, 0))  # leaves width |c|/2
         c = c or -math.isqrt(max(-free, 0)) - 1 - (width + 1) // 2
-        column, negative = [(j, (2 * w + c) // (2 * c), w) for j, w in column], negative + (c < 0)
-        for i, (j, q, w) in enumerate(column):
-            target, signed, size = rows[j], q if c > 0 else -q, abs(w - c * q)
-            free, slack[j], live = free - size, slack[j] + size, live - len(target)
-            for m, p, _ in column[i:]:
-                target[m] -= signed * p
-            live += len(target)
+        taken, negative, tail = [(2 * w + c) // (2 * c) for w in column], negative + (c < 0), 0
+        for j, q, w in zip(spots[1:], taken[1:], column[1:]):
+            left = abs(w - c * q)
+            free, slack[j], load[j] = free - left, slack[j] + left, load[j] + q * q
+            need(4 * load[j] < half, "digits run over")  # all sums of products of q are below half then
         need(free >= c * abs(c) and negative <= 1, "what rounding leaves is not dominant, or two pivots are negative")
+        for i in range(size - 1, 0, -1):
+            tail = (tail << 8 * wide) + taken[i]
+            rows[i] -= (taken[i] if c > 0 else -taken[i]) * tail
+        if size > 1:
+            waiting[spots[1]].append((spots[1:], rows[1:]))
 def gap_below(proof, graph, s):
     """The second eigenvalue is <= s: a vector of sum zero shows it, for a product on one of its factors."""
     item = proof.take({"vector": "factor x" if graph.factors else "x"})

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from sensortrack.errors import SensorTrackError
 from sensortrack.kernels import kernel
 
-from .blas import blas
+from .blas import blas, one_thread
 from .nested_dissection import Integers, pointer
 from .sparse_pattern import Symbolic, analyse
 
@@ -97,7 +97,9 @@ class Factor:
         order = pointer(self.symbolic.order)
         data = (pointer(self.panels), pointer(self.pivots), order, pointer(x))
         assert library is not None
-        if library.sensortrack_solve(ctypes.byref(shape), *data, width, gemm, trsm):
+        with one_thread():
+            status = library.sensortrack_solve(ctypes.byref(shape), *data, width, gemm, trsm)
+        if status:
             raise MemoryError(f"no memory to solve with {len(x)} nodes")
         return x
 
@@ -139,10 +141,9 @@ def factorise(
     values, main = -w[edge], full[symbolic.order]
     panels, pivots = np.empty(int(symbolic.panel[-1])), np.empty(n)
     shape = _shape(symbolic)
-    data = (first, row, values, main, panels, pivots)
-    status = library.sensortrack_factor(
-        ctypes.byref(shape), *[pointer(array) for array in data], *routines
-    )
+    data = [pointer(array) for array in (first, row, values, main, panels, pivots)]
+    with one_thread():
+        status = library.sensortrack_factor(ctypes.byref(shape), *data, *routines)
     if status < 0:
         raise MemoryError(f"no memory to factor {n} nodes")
     if status > 0 or not np.isfinite(pivots).all():

@@ -151,11 +151,21 @@ def test_a_single_node_has_no_second_eigenvalue_and_no_upper_bound() -> None:
 
 def test_fill_beyond_all_measure_is_refused() -> None:
     """A star from its hub: every pair of leaves becomes a link."""
-    n = 5000
+    n = 20000
     star = {"nodes": [*map(str, range(n))], "edges": [[0, i] for i in range(1, n)]}
     with pytest.raises(check.Reject, match="too much"):
         checked(ABOVE, [ldl(*range(n))], data(star, "1/2"), KINDS)
     assert accepts(ABOVE, [ldl(*range(1, n), 0)], data(star, "999/1000"), KINDS)
+
+
+def test_quotients_that_outgrow_their_digits_are_refused() -> None:
+    """The first pivot is 2^-300: columns are divided by its root, and more bits hold that."""
+    path = {"nodes": ["a", "b", "c"], "edges": [[0, 1], [1, 2]]}
+    s = 1 - Fraction(1, 2**300)
+    with pytest.raises(check.Reject, match="digits run over"):
+        checked(ABOVE, [ldl(0, 1, 2, bits=200)], data(path, s), KINDS)
+    assert accepts(ABOVE, [ldl(0, 1, 2, bits=400)], data(path, s), KINDS)
+    assert not accepts(ABOVE, [ldl(0, 1, 2, bits=400)], data(path, 2 - s), KINDS)
 
 
 @given(st.data())
