@@ -155,6 +155,20 @@ class IsotropicConsensus:
         )
         return IsotropicState(x - signal, x, status, np.hstack([part[1] for part in found]))
 
+    def crowding(self, state: IsotropicState) -> float:
+        """Largest h beta (sum over the neighbours of 1/|x_i - x_j|) of a node and a block.
+
+        Up to 1 an explicit step from here is a convex combination of estimates, so that it keeps
+        every convex set; infinite where two neighbours agree.
+        """
+        worst = 0.0
+        for block, beta in zip(self._blocks(state.x), self.beta, strict=True):
+            length = np.linalg.norm(self.incidence.T @ block, axis=1)
+            with np.errstate(divide="ignore"):
+                shares = self.h * beta * self.weights / length
+            worst = max(worst, float((abs(self.incidence) @ shares).max(initial=0.0)))
+        return worst
+
     def _blocks(self, rows: Floats) -> list[Floats]:
         return np.split(rows, np.cumsum(self.sizes)[:-1], axis=1)
 

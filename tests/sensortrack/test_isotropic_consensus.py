@@ -98,6 +98,23 @@ def test_constant_signals_stay_in_every_convex_set_by_implicit_steps():
                 assert state.x[:, 1].max() <= r[:, 1].max() + room
 
 
+def test_an_explicit_step_that_is_not_crowded_is_a_convex_combination():
+    """Farthest points in many directions do not move out; a crowded step may leave the hull."""
+    network, rng = family_network("complete:4"), np.random.default_rng(13)
+    angle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    sides, left = np.stack([np.cos(angle), np.sin(angle)]), 0
+    for _ in range(200):
+        law = IsotropicConsensus(network, (rng.uniform(0.1, 8),), (2,), H, "explicit")
+        r = rng.normal(size=(4, 2))
+        state = law.init(r)
+        after = law.step(state, r)
+        out = ((after.x @ sides).max(axis=0) > (state.x @ sides).max(axis=0) + 1e-12).any()
+        assert not out or law.crowding(state) > 1
+        left += bool(out)
+    assert left > 20
+    assert law.crowding(law.init(np.zeros((4, 2)))) == np.inf
+
+
 def test_weights_multiply_the_gain_link_by_link():
     edges, rng = family_network("cycle:4").edges, np.random.default_rng(12)
     weights = (Fraction(1, 2), Fraction(3), Fraction(1), Fraction(2))
