@@ -12,6 +12,7 @@ from sensortrack.kernels import kernel
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
 from verification.certificates import check
+from verification.exact import cut_roads
 from verification.exact.cut_orders import orders, twin_groups
 from verification.exact.cut_problem import Aim, Hurdle, Problem, problem
 from verification.exact.cut_roads import Budget, refute_or_show, solve
@@ -112,8 +113,10 @@ def test_without_compiler_the_answers_are_the_same(monkeypatch: pytest.MonkeyPat
     assert solve(task, Hurdle(0, 1), Aim.RATIO, Budget()) == first
 
 
-def test_what_is_too_long_for_a_witness_is_bracketed() -> None:
-    """A budget of a few visits and no flows leaves a bracket, never a wrong bound."""
+def test_what_is_too_long_for_a_witness_is_bracketed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A few visits without routing or eigenvalue leave a bracket, never a wrong bound."""
+    for road in ("_routed", "_expanding"):
+        monkeypatch.setattr(cut_roads, road, lambda _task, _start, solved, _rest: solved)
     network = read_network("petersen")
     task = problem(network, [Fraction(1)] * 10)
     solved = solve(task, Hurdle(0, 1), Aim.RATIO, Budget(visits=40, search=20, flows=0))

@@ -139,7 +139,8 @@ def test_counts_that_are_not_shown_are_not_claimed(monkeypatch):
     """Where searches and flows are cut short, as in the tests of settling times."""
     monkeypatch.setattr(cut_roads, "LIMITS", (10, 10))
     monkeypatch.setattr(cut_roads, "LOOSER", (Fraction(50),))
-    monkeypatch.setattr(cut_roads, "_rated", lambda _task, _start, solved, _budget: solved)
+    for road in ("_rated", "_expanding"):
+        monkeypatch.setattr(cut_roads, road, lambda _task, _start, solved, _rest: solved)
     torus = read_network("torus:4,4")
     network = Network(torus.names, torus.edges)
     given = {"gamma": 0, "beta": 1, "h": "1/10", "x0": [1, *[0] * 15]}
