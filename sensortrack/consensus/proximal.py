@@ -23,6 +23,7 @@ from sensortrack.kernels.split import split
 from sensortrack.kernels.tree import tree_flow
 
 Floats = NDArray[np.float64]
+ULP = 2.0**-52
 FIRST_LOOK = 8
 """Dual steps after which groups are looked for; then after twice as many, and so on."""
 SMALL = 200
@@ -75,7 +76,7 @@ def proximal(
     start : ndarray of float64, shape (K, m), optional
         A flow to start from; that of a similar problem saves most of the work.
     tolerance : float, optional
-        Distance from the exact point at which to stop.
+        Distance from the exact point at which to stop; sooner where rounding hides what is left.
     most : int, optional
         Dual steps after which to stop in any case.
 
@@ -142,8 +143,13 @@ class _Row:
         return flow
 
     def _ascended(self, flow: Floats) -> tuple[Floats, Floats, float, int]:
-        """Dual steps until groups are found or the point is close enough."""
-        ascent, done = Ascent(self.links, self.y, self.capacity, flow), 0
+        """Dual steps until groups are found or the point is close enough.
+
+        They are taken on y less its mean, which changes no difference and leaves less to rounding.
+        """
+        middle = float(self.y.mean())
+        ascent, done = Ascent(self.links, self.y - middle, self.capacity, flow), 0
+        rounding = ULP * float(np.sqrt(self.links.n)) * float(np.abs(self.y).max())
         divisible = self.links.n <= MEDIUM and kernel("split", native=True).library is not None
         patience = min(PATIENCE, self.most) if divisible else self.most + 1
         while True:
@@ -155,7 +161,7 @@ class _Row:
                 grouped = self._divided()
             if grouped is not None:
                 return *grouped, 0.0, done
-            x, gap = ascent.point()
-            error = float(np.sqrt(gap))
-            if error <= self.tolerance or done >= self.most:
-                return x, ascent.flow.copy(), error, done
+            x, gap, hidden = ascent.point()
+            error = float(np.sqrt(gap)) + rounding
+            if error <= self.tolerance or gap <= 2 * hidden or done >= self.most:
+                return x + middle, ascent.flow.copy(), error, done

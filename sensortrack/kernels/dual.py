@@ -62,7 +62,7 @@ class Ascent:
         call = _prepared(self._library, "ascend")
         call(links.n, *links.addresses[:2], *addresses, count)
 
-    def point(self) -> tuple[Floats, float]:
+    def point(self) -> tuple[Floats, float, float]:
         """x = y - B f and the duality gap there, the sum of c |d| - f d with d = B'x.
 
         Returns
@@ -70,6 +70,8 @@ class Ascent:
         x : ndarray of float64, shape (n,)
         gap : float
             Not below the gap in exact arithmetic: what rounding may have hidden is added.
+        hidden : float
+            How much that is.
         """
         x = np.empty(self.links.n)
         if self._library is None:
@@ -85,7 +87,8 @@ class Ascent:
             lost = call(self.links.n, *addresses, ctypes.byref(total))
             size = total.value
         scale = float(np.max(np.abs(x), initial=0.0)) * float(self.capacity.sum())
-        return x, max(lost, 0.0) + ROUNDING * (size + scale)
+        hidden = ROUNDING * (size + scale)
+        return x, max(lost, 0.0) + hidden, hidden
 
     def _fall(self, x: Floats) -> Floats:
         found: Floats = x[self.links.ends[:, 0]] - x[self.links.second]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -191,15 +192,24 @@ class Forest:
         return np.where(order < self.order[self.up[self.below]], 1.0, -1.0)
 
 
-@lru_cache(maxsize=16)
 def links_of(network: Network) -> Links:
-    """Lay out a network.
+    """Layout of a network, made once and kept as long as the network is.
 
     Raises
     ------
     InputError
         With the name ``graph`` if it has more links than numbers of 32 bits can count.
     """
+    found = _KNOWN.get(network)
+    if found is None:
+        found = _KNOWN[network] = _laid_out(network)
+    return found
+
+
+_KNOWN: WeakKeyDictionary[Network, Links] = WeakKeyDictionary()
+
+
+def _laid_out(network: Network) -> Links:
     n = network.n
     if 2 * network.m > LARGEST or LANES * n > LARGEST:
         found = f"{n} nodes and {network.m} links"

@@ -90,8 +90,10 @@ class _Sets:
 
     def __init__(self, links: Links, y: Floats, capacity: Floats, exponent: int) -> None:
         highest = links.n << 61
-        scaled = [ldexp(value, exponent) for value in capacity.tolist()]
-        self.limit = [round(value) if value < highest else highest for value in scaled]
+        top = ldexp(highest, -exponent)
+        self.limit = [
+            round(ldexp(value, exponent)) if value < top else highest for value in capacity.tolist()
+        ]
         self.own = [round(ldexp(value, exponent)) for value in y.tolist()]
         lists = zip(links.index.tolist(), links.link.tolist(), strict=True)
         entries, first = list(lists), links.first.tolist()

@@ -124,7 +124,8 @@ def test_the_gap_bounds_the_distance(network, seed, steps) -> None:
     y, capacity = drawn(links, seed, whole=False)
     ascent = Ascent(links, y, capacity, np.zeros(links.m))
     ascent.advance(steps)
-    x, gap = ascent.point()
+    x, gap, hidden = ascent.point()
+    assert 0 <= hidden <= gap
     assert (np.abs(ascent.flow) <= capacity).all()
     assert np.linalg.norm(x - split(links, y, capacity)[0]) <= np.sqrt(gap)
 
@@ -214,6 +215,31 @@ def test_renamed_agents_find_the_same(graph: str) -> None:
     turned[order] = y
     found = proximal(other, turned, capacity[other.rank]).x
     assert np.allclose(found[order], proximal(links, y, capacity).x, rtol=0, atol=64 * ULP)
+
+
+@pytest.mark.parametrize("road", ["", "1"])
+@pytest.mark.parametrize("size", [1e-310, 1e-200, 1e200])
+def test_sizes_at_the_ends_of_the_range(
+    size: float, road: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Capacities of ordinary size are then without limit, or nothing."""
+    monkeypatch.setenv(WITHOUT, road)
+    links = links_of(read_network("cycle:4"))
+    y = size * np.array([4.0, 0.0, 8.0, 0.0])
+    x = split(links, y, np.ones(links.m))[0]
+    assert np.allclose(x / size, 3.0 if size < 1 else y / size, rtol=1e-12, atol=0)
+
+
+@compiles
+def test_an_offset_does_not_keep_dual_steps_from_ending() -> None:
+    links = links_of(read_network("grid:70,70"))
+    y = np.random.default_rng(9).normal(size=links.n)
+    capacity = np.full(links.m, 1.5)
+    plain = proximal(links, y, capacity, tolerance=1e-3)
+    moved = proximal(links, y + 2.0**20, capacity, tolerance=1e-3)
+    assert moved.error <= 1e-3
+    assert moved.iterations == plain.iterations
+    assert np.allclose(moved.x - 2.0**20, plain.x, rtol=0, atol=2e-3)
 
 
 @pytest.mark.parametrize("graph", ["path:7", "grid:4,4", "petersen"])
