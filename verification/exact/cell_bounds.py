@@ -51,9 +51,8 @@ LONG = 300_000
 
 LOCAL = (Schedule(16, 0.4, 8),)
 GLOBAL = (Schedule(16, 0.4, 6), Schedule(48, 0.65, 14))
-SHORT = (Schedule(24, 0.55, 8),)
-LOCAL_LONG = (Schedule(16, 0.4, 3),)
-GLOBAL_LONG = (Schedule(16, 0.4, 6), Schedule(48, 0.65, 8))
+LOCAL_FEWER = (Schedule(16, 0.4, 3),)
+FEWER = (Schedule(16, 0.4, 6), Schedule(48, 0.65, 8))
 
 CROWDED, USUAL = 0.6, 1.5
 """A cell whose own load exceeds this part of the best cut known, and so many times what nine cells
@@ -144,15 +143,15 @@ def route_by_cells(task: Problem, low: Fraction, steps: int) -> CellRouting:
     goal = float(low / unit)
     if task.n <= EVERY:
         return _routed(task, numbers, [1], goal, steps, GLOBAL)
-    rounds = GLOBAL if task.n < LONG else GLOBAL_LONG
+    rounds = GLOBAL if task.n < LONG else FEWER
     found = _routed(task, numbers, sizes(task.n), goal, steps, rounds)
     if task.n > FINE or found.up <= LOOSE * low:
         return found
-    most = min(KEPT // task.n, 32 * steps // (2 * (task.n + len(task.edges))))
+    most = min(3 * KEPT // (4 * task.n), 32 * steps // (2 * (task.n + len(task.edges))))
     fine = [math.ceil(task.n / max(1, most)), 1] if most < task.n else [1]
     tries = [fine] if task.n > SINGLE else [fine, [1]]
     for cell_sizes in tries:
-        other = _routed(task, numbers, cell_sizes, goal, steps, SHORT)
+        other = _routed(task, numbers, cell_sizes, goal, steps, FEWER)
         found = min(found, other, key=lambda one: one.up)
         if found.up <= VAGUE * low:
             break
@@ -186,7 +185,7 @@ def _routed(
 
 def _local(plan: Plan, depth: int, base: Floats, low: float) -> tuple[Level, Integers]:
     """Route within the homes of one level, replacing crowded homes by their cells; base grows."""
-    level, local = plan.level(depth), LOCAL if plan.task.n < LONG else LOCAL_LONG
+    level, local = plan.level(depth), LOCAL if plan.task.n < LONG else LOCAL_FEWER
     found = reweighted(level, base[level.edges], local)
     top = level.largest((base[level.edges] + found.loads) / level.capacity)
     crowded = top > max(CROWDED * low, USUAL * float(np.quantile(top, 0.9)))
