@@ -103,7 +103,8 @@ def algebraic_connectivity(values: Mapping[str, Any]) -> Answer:
         return Answer(value=value, notes=(f"{error}: computed, its residual checked",))
     exact = exact_connectivity(network, gap)
     data = exact.to_data() if exact else None
-    ends, width = (below(gap.lower), above(gap.upper)), gap.upper - gap.lower
+    width = gap.upper - gap.lower
+    ends = below(gap.lower), above(gap.upper) or 0.0  # no negative zero
     notes = ["not connected"] if gap.upper == 0 else []
     if width > USABLE * gap.upper:
         return Answer(None, None, *ends, None, "UNDECIDED", notes=(*notes, OPEN))
@@ -118,6 +119,8 @@ def algebraic_connectivity(values: Mapping[str, Any]) -> Answer:
 
 
 def _how(gap: Gap) -> str:
+    if gap.upper == 0:
+        return "proved by a vector that is constant on a component and on the rest"
     if not gap.above:
         return "a closed form of complete networks and of those that join a part to the rest"
     return f"proved by an elimination in exact integers, {gap.steps:.1e} multiplications"

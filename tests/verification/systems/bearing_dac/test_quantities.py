@@ -208,6 +208,9 @@ def test_connectivity_beyond_any_file_says_how_it_is_proved(
     monkeypatch.setattr(rates, "EDGE_BYTES", 10**6)
     large = ask("algebraic_connectivity", "path:300")
     assert "too large to be read" in large.notes[0]
+    apart = ask("algebraic_connectivity", "random_geometric:300,0.05,1")
+    assert (apart.lower, str(apart.upper), apart.certificate) == (0.0, "0.0", None)
+    assert any("constant on a component" in note for note in apart.notes)
 
 
 def test_connectivity_that_cannot_be_proved_is_computed_or_a_bracket(
