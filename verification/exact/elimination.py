@@ -38,7 +38,7 @@ from .sparse_pattern import Symbolic
 WIDE = 124
 """Bits that every number of the elimination in C keeps below."""
 
-CHECKED = 6e8
+CHECKED = 7e8
 """Most multiplications that a certificate asks its checker for: a minute."""
 
 SLOW = 2e7
