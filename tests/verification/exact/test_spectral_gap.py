@@ -147,9 +147,9 @@ def test_general_networks_are_bracketed_around_what_numpy_finds(
 
 
 def test_long_eliminations_leave_closed_forms() -> None:
-    complete, joined = read_network("complete:1500"), read_network("bipartite:600,1000")
+    complete, joined = read_network("complete:1500"), read_network("bipartite:800,1000")
     assert connectivity_bracket(complete)[:2] == (1500, 1500)
-    assert connectivity_bracket(joined)[:2] == (600, 600)
+    assert connectivity_bracket(joined)[:2] == (800, 800)
     for network in (complete, joined):
         gap = connectivity_bracket(network)
         assert gap.above == {}
