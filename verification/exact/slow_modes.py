@@ -32,6 +32,9 @@ SHARP = 1e-9
 FIRST, SHIFTS, MOST = 5, 16, 8
 """Steps with the grounded Laplacian; most shifts, and most steps with each."""
 
+RESTARTS = 100
+"""Most restarts of Lanczos's method."""
+
 FAR, CLOSE = 3e-2, 1e-8
 """How far below the estimate the first and the last shift lie, relative to it."""
 
@@ -92,6 +95,30 @@ def slow_mode(network: Network, symbolic: Symbolic) -> Mode:
         block = _step(laplacian, factor, block)
     del factor
     return _sharpened(network, symbolic, weights, block)
+
+
+def lanczos_mode(network: Network) -> Mode:
+    """The same without a factor, for networks whose factor would be too large: expanders.
+
+    Parameters
+    ----------
+    network : Network
+        Connected, three nodes or more.
+
+    Returns
+    -------
+    Mode
+        With an infinite residual if `RESTARTS` restarts of Lanczos's method were not enough.
+    """
+    from scipy.sparse.linalg import ArpackNoConvergence, eigsh
+
+    laplacian = network.laplacian()
+    start = np.random.default_rng(0).standard_normal(network.n)
+    try:
+        values, vectors = eigsh(laplacian, k=2, which="SA", v0=start, tol=SHARP, maxiter=RESTARTS)
+    except ArpackNoConvergence:
+        return Mode(np.inf, start, np.inf)
+    return _mode(network, laplacian, vectors[:, int(np.argmax(values))])
 
 
 def _sharpened(network: Network, symbolic: Symbolic, weights: Floats | None, block: Floats) -> Mode:

@@ -24,7 +24,7 @@ from .elimination import CHECKED, EliminationError, Matrix, negatives
 from .gap_vectors import laplacian_rows, rayleigh, refined_vector, whole_vector
 from .rationals import above, below, nearest
 from .roots import Algebraic, root_between
-from .slow_modes import Mode, slow_mode
+from .slow_modes import Mode, lanczos_mode, slow_mode
 from .sparse_ldl import FactorError, Symbolic, analyse
 
 LARGEST = 200
@@ -276,7 +276,7 @@ def connectivity_value(network: Network) -> float | None:
     Returns
     -------
     float or None
-        None if a large network's factor is too large, or the residual of its eigenvector not small.
+        None if the residual of a large network's eigenvector is not small.
     """
     if network.factors:
         values = [connectivity_value(factor) for factor in network.factors]
@@ -289,8 +289,10 @@ def connectivity_value(network: Network) -> float | None:
         return nearest(closed.upper)
     if network.n <= LARGEST:
         return nearest(rayleigh(network, refined_vector(network)))
+    symbolic = analyse(network.n, network.edges)
     try:
-        mode = _mode(network, _analysed(network))
+        long = symbolic.entries > STORED or symbolic.operations > WORK
+        mode = lanczos_mode(network) if long else _mode(network, symbolic)
     except NoBracketError:
         return None
     return mode.value if mode.residual <= RESIDUAL else None

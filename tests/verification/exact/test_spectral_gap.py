@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks
 from verification.certificates.make import CertificateError, certificate
-from verification.exact import spectral_gap
+from verification.exact import slow_modes, spectral_gap
 from verification.exact.gap_vectors import laplacian_rows, rayleigh
 from verification.exact.spectral_gap import (
     NoBracketError,
@@ -181,4 +181,7 @@ def test_too_long_an_elimination_is_said_to_be_so(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(spectral_gap, "STORED", 10)
     with pytest.raises(NoBracketError, match="too large"):
         connectivity_bracket(network)
+    value = float(np.linalg.eigvalsh(network.laplacian().toarray())[1])
+    assert connectivity_value(network) == pytest.approx(value, rel=1e-9)
+    monkeypatch.setattr(slow_modes, "RESTARTS", 1)
     assert connectivity_value(network) is None
