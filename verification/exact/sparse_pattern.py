@@ -111,7 +111,7 @@ def analyse(n: int, edges: NDArray[np.int64], order: Integers | None = None) -> 
     Returns
     -------
     Symbolic
-        Without supernodes if there is no compiler.
+        Each column a supernode of its own if there is no compiler.
 
     Raises
     ------
@@ -123,8 +123,7 @@ def analyse(n: int, edges: NDArray[np.int64], order: Integers | None = None) -> 
     order = elimination_order(n, edges) if order is None else order
     library = kernel("ldl").library
     if library is None or blas() is None:
-        none = np.zeros(1, dtype=np.int32)
-        return Symbolic(n, edges, order, none, none.astype(np.int64), none[:0])
+        return Symbolic(n, edges, order, *_columns(n, edges, order))
     order, first, to, parent = _postordered(library, n, edges, order)
     library.sensortrack_pattern.restype = ctypes.POINTER(_Pattern)
     pattern = library.sensortrack_pattern(
@@ -139,6 +138,24 @@ def analyse(n: int, edges: NDArray[np.int64], order: Integers | None = None) -> 
     row = np.ctypeslib.as_array(shape.row, (int(shape.stored) + 1,))[:-1].copy()
     library.sensortrack_forget(pattern)
     return Symbolic(n, edges, order, start, at, row)
+
+
+def _columns(
+    n: int, edges: NDArray[np.int64], order: Integers
+) -> tuple[Integers, NDArray[np.int64], Integers]:
+    """Starts, places and rows of single columns: those of a column go on to its parent."""
+    below: list[set[int]] = [set() for _ in range(n)]
+    for i, j in np.argsort(order)[edges].tolist():
+        below[min(i, j)].add(max(i, j))
+    found: list[int] = []
+    at = np.zeros(n + 1, dtype=np.int64)
+    for k, rows in enumerate(below):
+        found += sorted(rows)
+        at[k + 1] = len(found)
+        if rows:
+            parent = min(rows)
+            below[parent] |= rows - {parent}
+    return np.arange(n + 1, dtype=np.int32), at, np.array(found, dtype=np.int32)
 
 
 def _postordered(
