@@ -186,6 +186,16 @@ class Network:
             return sum(factor.m * (self.n // factor.n) for factor in self.factors)
         return len(self.edges)
 
+    def exact_weights(self) -> tuple[Fraction, ...]:
+        """The weight of each of the m edges, in their order: one where none are given."""
+        return self.weights or (Fraction(1),) * self.m
+
+    def float_weights(self) -> NDArray[np.float64]:
+        """The same in floating point, shape (m,)."""
+        if self.weights is None:
+            return np.ones(self.m)
+        return np.array([float(weight) for weight in self.weights])
+
     def laplacian(self) -> csr_matrix:
         """Weighted Laplacian matrix.
 
@@ -197,9 +207,7 @@ class Network:
         from scipy.sparse import coo_matrix
 
         first, second = self.edges[:, 0], self.edges[:, 1]
-        weights = np.ones(self.m)
-        if self.weights is not None:
-            weights = np.array([float(weight) for weight in self.weights])
+        weights = self.float_weights()
         degrees = np.bincount(first, weights, self.n) + np.bincount(second, weights, self.n)
         diagonal = np.arange(self.n)
         rows = np.concatenate([first, second, diagonal])

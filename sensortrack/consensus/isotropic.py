@@ -108,9 +108,7 @@ class IsotropicConsensus:
         values = np.repeat([1.0, -1.0], m)
         made = csr_array(coo_array((values, (rows, columns)), shape=(n, m)))
         object.__setattr__(self, "incidence", made)
-        given = self.network.weights
-        weights = np.ones(m) if given is None else np.array([float(w) for w in given])
-        object.__setattr__(self, "weights", weights)
+        object.__setattr__(self, "weights", self.network.float_weights())
         object.__setattr__(self, "degrees", np.bincount(rows, minlength=n).astype(float))
         object.__setattr__(self, "inverse", np.linalg.pinv((made @ made.T).toarray()))
 

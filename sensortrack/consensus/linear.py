@@ -83,9 +83,7 @@ class LinearConsensus:
             Which links carry, in the order of the network's edges.
         """
         first, second = self.edges.T
-        apart = state.x[first] - state.x[second]
-        if self.network.weights is not None:
-            apart = apart * np.array([float(w) for w in self.network.weights])[:, None]
+        apart = (state.x[first] - state.x[second]) * self.network.float_weights()[:, None]
         if active is not None:
             apart = apart * np.asarray(active, dtype=float)[:, None]
         pull = np.zeros_like(state.w)

@@ -289,7 +289,7 @@ def _neighbours(law: SignConsensus) -> list[list[tuple[int, float]]]:
     """Neighbours of each node and the weights of the links, increasing."""
     network = law.network
     near: list[list[tuple[int, float]]] = [[] for _ in range(network.n)]
-    weights = [1.0] * network.m if network.weights is None else map(float, network.weights)
+    weights = network.float_weights().tolist()
     for (i, j), weight in zip(network.edges.tolist(), weights, strict=True):
         near[i].append((j, weight))
         near[j].append((i, weight))

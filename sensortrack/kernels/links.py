@@ -227,7 +227,7 @@ def _laid_out(network: Network) -> Links:
     lists = _matrix(n, ends, np.arange(len(ends), dtype=np.int32))
     weight = None
     if network.weights is not None:
-        weight = np.array([float(value) for value in network.weights])[rank]
+        weight = network.float_weights()[rank]
     return Links(n, ends, rank, weight, order, lists.indptr, lists.indices, lists.data)
 
 

@@ -136,6 +136,13 @@ def test_handshake(network):
     assert network.laplacian().diagonal().sum() == 2 * network.m
 
 
+@given(st.booleans().flatmap(lambda weighted: networks(weighted=weighted)))
+def test_every_edge_has_its_weight_and_one_where_none_are_given(network):
+    exact = network.exact_weights()
+    assert exact == (network.weights or (1,) * network.m)
+    assert network.float_weights().tolist() == [float(weight) for weight in exact]
+
+
 @given(networks(max_nodes=12))
 def test_components_are_those_of_networkx_in_order(network):
     parts = network.components()

@@ -32,7 +32,7 @@ def disjoint(networks: Sequence[Network]) -> Network:
     for place, network in enumerate(networks, start=1):
         names += [f"{place}: {name}" for name in network.names]
         edges.append(network.edges + shift)
-        weights += network.weights or (Fraction(1),) * network.m
+        weights += network.exact_weights()
         shift += network.n
     plain = all(network.weights is None for network in networks)
     return Network(names, np.concatenate(edges), None if plain else tuple(weights))

@@ -47,7 +47,7 @@ def enumerate_all(network: Network, gamma: Sequence[Fraction]) -> list[CutData]:
         raise ValueError(f"{n} nodes; 2 to {LARGEST} are needed")
     masks = np.arange(1, 2 ** (n - 1))  # the last node is never inside
     inside = (masks[:, None] >> np.arange(n)) & 1 == 1
-    weights = network.weights or (Fraction(1),) * network.m
+    weights = network.exact_weights()
     found = []
     for side in inside:
         s = int(side.sum())

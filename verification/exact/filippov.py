@@ -33,7 +33,7 @@ from typing import TypeVar
 from sensortrack.errors import SensorTrackError
 from sensortrack.networks import Network
 
-from .prox import Numbers, centred, levelled, weights_of
+from .prox import Numbers, centred, levelled
 from .rationals import nearest
 
 Key = TypeVar("Key", bound=Hashable)
@@ -209,7 +209,7 @@ class _Motion:
         for e, ends in enumerate(self.edges):
             for i in ends:
                 self.near[i].append(e)
-        capacities = [beta * w for w in weights_of(network)]
+        capacities = [beta * w for w in network.exact_weights()]
         self.unit = math.lcm(*(v.denominator for v in (*capacities, *push)))
         self.capacity = [int(c * self.unit) for c in capacities]
         self.push = [int(v * self.unit) for v in push]

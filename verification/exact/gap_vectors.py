@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from sensortrack.networks import Network
 
+from .evaluate import Rows
 from .slow_modes import Mode
 
 BITS = 200
@@ -88,16 +89,15 @@ def refined_vector(network: Network) -> tuple[int, ...]:
     return tuple(v // common for v in centred)
 
 
-def laplacian_rows(network: Network) -> list[list[Fraction]]:
-    """The Laplacian, exact."""
+def laplacian_rows(network: Network) -> Rows:
+    """The Laplacian in exact numbers, n rows of n entries."""
     rows = [[Fraction(0)] * network.n for _ in range(network.n)]
-    weights = network.weights or (Fraction(1),) * network.m
-    for (i, j), w in zip(network.edges.tolist(), weights, strict=True):
+    for (i, j), w in zip(network.edges.tolist(), network.exact_weights(), strict=True):
         rows[i][j] -= w
         rows[j][i] -= w
         rows[i][i] += w
         rows[j][j] += w
-    return rows
+    return tuple(map(tuple, rows))
 
 
 def shifted_rows(network: Network, s: Fraction) -> list[list[Fraction]]:

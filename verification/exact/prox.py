@@ -108,7 +108,7 @@ def proximal(network: Network, y: Numbers, length: Fraction) -> Levelled:
     Levelled
         ``values`` x with ``flows`` f on the edges: x = y - B f, |f_e| <= length w_e.
     """
-    capacities = [length * weight for weight in weights_of(network)]
+    capacities = [length * weight for weight in network.exact_weights()]
     unit = math.lcm(*(v.denominator for v in (*y, *capacities)))
     links = [
         (i, j, int(c * unit)) for (i, j), c in zip(network.edges.tolist(), capacities, strict=True)
@@ -149,7 +149,7 @@ def explicit_step(
     Parameters and result are those of `implicit_step`.
     """
     after = _pushed(network, x, push)
-    for (i, j), weight in zip(network.edges.tolist(), weights_of(network), strict=True):
+    for (i, j), weight in zip(network.edges.tolist(), network.exact_weights(), strict=True):
         flow = length * weight * ((x[i] > x[j]) - (x[i] < x[j]))
         after[i], after[j] = after[i] - flow, after[j] + flow
     return tuple(after)
@@ -163,11 +163,6 @@ def centred(network: Network, x: Numbers) -> list[Fraction]:
         for i in nodes:
             centred[i] -= mean
     return centred
-
-
-def weights_of(network: Network) -> tuple[Fraction, ...]:
-    """The weights of the edges, one where none are given."""
-    return network.weights or (Fraction(1),) * network.m
 
 
 def _pushed(network: Network, x: Numbers, push: Numbers | None) -> list[Fraction]:

@@ -59,9 +59,7 @@ class Mode(NamedTuple):
 
 def edge_weights(network: Network) -> Floats | None:
     """The weights in floating point, None where all are one."""
-    if network.weights is None:
-        return None
-    return np.array([float(w) for w in network.weights])
+    return None if network.weights is None else network.float_weights()
 
 
 def slow_mode(network: Network, symbolic: Symbolic) -> Mode:

@@ -13,7 +13,7 @@ from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, networks, rationals
 from verification.exact.cuts import slowest, threshold
 from verification.exact.filippov import LongRunError, filippov_run
-from verification.exact.prox import centred, implicit_step, weights_of
+from verification.exact.prox import centred, implicit_step
 
 FEW = settings(max_examples=30)
 GAINS = rationals(Fraction(1, 5), 3, 5)
@@ -32,7 +32,7 @@ def apart(x, y):
 
 
 def variation(network, x):
-    pairs = zip(network.edges.tolist(), weights_of(network), strict=True)
+    pairs = zip(network.edges.tolist(), network.exact_weights(), strict=True)
     return sum(w * abs(x[i] - x[j]) for (i, j), w in pairs)
 
 
@@ -53,7 +53,7 @@ def assert_solves(network, beta, run):
         moved = [a + piece.duration * u for a, u in zip(x, piece.disturbance, strict=True)]
         moved = centred(network, moved)
         links = piece.network
-        edges = zip(links.edges.tolist(), weights_of(links), piece.signs, strict=True)
+        edges = zip(links.edges.tolist(), links.exact_weights(), piece.signs, strict=True)
         for (i, j), w, sign in edges:
             assert abs(sign) <= 1
             assert all(sign * (z[i] - z[j]) == abs(z[i] - z[j]) for z in (x, y))

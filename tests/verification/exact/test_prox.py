@@ -17,7 +17,6 @@ from verification.exact.prox import (
     explicit_step,
     implicit_step,
     proximal,
-    weights_of,
 )
 
 from .tree_prox import tree_prox
@@ -43,7 +42,7 @@ def steps(draw, drawn):
 def assert_optimal(network, y, length, found):
     """y - x = B f with f on the edges a subgradient of length TV at x."""
     left = list(y)
-    pairs = zip(network.edges.tolist(), weights_of(network), found.flows, strict=True)
+    pairs = zip(network.edges.tolist(), network.exact_weights(), found.flows, strict=True)
     for (i, j), w, flow in pairs:
         gap = found.values[i] - found.values[j]
         assert abs(flow) <= length * w
@@ -99,7 +98,7 @@ def test_the_implicit_step_brings_any_two_states_together(step, data):
 def worst_cut(network, push):
     """Largest |push(S)|/k of a cut, the norm of M push that is polar to total variation."""
     push = centred(network, push)
-    links = list(zip(network.edges.tolist(), weights_of(network), strict=True))
+    links = list(zip(network.edges.tolist(), network.exact_weights(), strict=True))
     loads = []
     for size in range(1, network.n):
         for inside in combinations(range(network.n), size):

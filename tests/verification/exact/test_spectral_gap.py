@@ -111,6 +111,7 @@ def test_unlike_weights_cost_no_digits() -> None:
     assert gap.upper - gap.lower <= gap.upper * Fraction(1, 10**15)
     rows = laplacian_rows(network)
     assert all(sum(row) == 0 for row in rows)
+    assert [[float(x) for x in row] for row in rows] == network.laplacian().toarray().tolist()
 
 
 @pytest.mark.parametrize("family", LARGE)

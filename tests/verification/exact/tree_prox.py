@@ -7,8 +7,6 @@ as the corners between the two constant ends.
 
 from itertools import pairwise
 
-from verification.exact.prox import weights_of
-
 
 def height(corners, x):
     """Value of the function with these corners."""
@@ -41,7 +39,7 @@ def solve(own, messages, target):
 def tree_prox(network, y, length):
     """argmin 1/2 |x - y|^2 + length TV(x) on a tree."""
     near = [{} for _ in y]
-    for (i, j), w in zip(network.edges.tolist(), weights_of(network), strict=True):
+    for (i, j), w in zip(network.edges.tolist(), network.exact_weights(), strict=True):
         near[i][j] = near[j][i] = length * w
     walk, parent = [0], {0: None}
     for i in walk:

@@ -22,6 +22,7 @@ from theory.systems.bearing_dac.lemma_statements import (
 )
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows, add, identity, multiply, scaled
+from verification.exact.gap_vectors import laplacian_rows
 from verification.verdict import Decision, Verdict
 
 SYSTEM = "bearing_dac"
@@ -129,7 +130,7 @@ def lemma_2_generalized() -> Decision:
     network, inverse = found
     refuted = _refutation(network, inverse)
     repaired = universal("lemma_2_generalized_repair", GENERALIZED)
-    laplacian = exact_laplacian(network)
+    laplacian = laplacian_rows(network)
     return Decision(
         verdict=Verdict.CORRECTED,
         reason=f"For the graph {network.label} a search for G with LGL = L and the fewest entries "
@@ -174,7 +175,7 @@ def skew_inverses() -> Iterator[tuple[Network, Rows]]:
     """
     for label in SEARCHED:
         network = read_network(label)
-        laplacian, mean_free = exact_laplacian(network), centring(network.n)
+        laplacian, mean_free = laplacian_rows(network), centring(network.n)
         for inverse in _candidates(network.n):
             product_ = multiply(laplacian, inverse)
             if multiply(product_, laplacian) == laplacian and product_ != mean_free:
@@ -185,18 +186,6 @@ def _candidates(n: int) -> Iterator[Rows]:
     cells = product(ENTRIES, repeat=n * n)
     for flat in sorted(cells, key=lambda entries: sum(map(abs, entries))):
         yield tuple(tuple(Fraction(x) for x in flat[i : i + n]) for i in range(0, n * n, n))
-
-
-def exact_laplacian(network: Network) -> Rows:
-    """Laplacian of a network as exact rows."""
-    rows = [[Fraction(0)] * network.n for _ in range(network.n)]
-    weights = network.weights or (Fraction(1),) * network.m
-    for (i, j), weight in zip(network.edges.tolist(), weights, strict=True):
-        rows[i][i] += weight
-        rows[j][j] += weight
-        rows[i][j] -= weight
-        rows[j][i] -= weight
-    return tuple(map(tuple, rows))
 
 
 def centring(n: int) -> Rows:

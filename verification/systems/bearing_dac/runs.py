@@ -14,7 +14,6 @@ from verification.certificates.make import CertificateError, certificate
 from verification.exact.cut_components import spread
 from verification.exact.cuts import CutBracket, slowest
 from verification.exact.filippov import LongRunError, Run, filippov_run
-from verification.exact.prox import weights_of
 from verification.exact.rationals import above, below, nearest, root
 
 from .brackets import NO_WITNESS, OPEN, SYSTEM, TOO_LONG
@@ -266,7 +265,7 @@ def _chattering(network: Network, gamma: list[Fraction], beta: Fraction) -> floa
         return None
     rate = math.sqrt(nearest((1 - Fraction(1, network.n)) / square))
     degrees = [Fraction(0)] * network.n
-    for ends, weight in zip(network.edges.tolist(), weights_of(network), strict=True):
+    for ends, weight in zip(network.edges.tolist(), network.exact_weights(), strict=True):
         for i in ends:
             degrees[i] += weight
     pull = nearest(beta) * math.hypot(*map(nearest, degrees))
