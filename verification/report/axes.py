@@ -14,6 +14,8 @@ Floats = NDArray[np.float64]
 TOLERANCE = 0.25
 """Largest distance, in view-box units, by which a simplified line may leave its points."""
 MANY = 400
+SHORT = 2.0
+"""Decades below which a logarithmic axis has more ticks than the powers of ten."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,11 @@ def _steps(axis: Axis, most: int) -> list[float]:
 
 
 def _decades(axis: Axis) -> list[float]:
+    """Powers of ten; on a short axis also twice and five times each."""
     low, high = math.ceil(math.log10(axis.low) - 1e-9), math.floor(math.log10(axis.high) + 1e-9)
+    if _distance(axis) < SHORT:
+        found = [m * 10.0**k for k in range(low - 1, high + 1) for m in (1, 2, 5)]
+        return [v for v in found if axis.low * (1 - 1e-9) <= v <= axis.high * (1 + 1e-9)]
     every = max(1, -(-(high - low) // 5))
     return [10.0**k for k in range(low, high + 1, every)]
 

@@ -21,7 +21,17 @@ def test_ticks_are_few_and_within_the_axis(low, span):
     assert found == sorted(found)
 
 
-@given(st.floats(-12, 6), st.floats(0.5, 12))
+@given(st.floats(-12, 6), st.floats(0.4, 1.99))
+def test_a_short_logarithmic_axis_has_ticks_to_read_it_by(low, decades):
+    axis = Axis("x", "", 10**low, 10 ** (low + decades), log=True)
+    found = ticks(axis)
+    assert 1 <= len(found) <= 7
+    assert found == sorted(found)
+    assert all(axis.low * 0.999 <= value <= axis.high * 1.001 for value in found)
+    assert all(f"{value:.0e}"[0] in "125" for value in found)
+
+
+@given(st.floats(-12, 6), st.floats(2, 12))
 def test_ticks_of_a_logarithmic_axis_are_powers_of_ten(low, decades):
     axis = Axis("x", "", 10**low, 10 ** (low + decades), log=True)
     assert len(ticks(axis)) <= 7

@@ -86,8 +86,8 @@ def lemma_1_symmetric() -> Decision:
         margin_text="not symmetric",
         repair="The symmetric part of L is positive semidefinite, and every eigenvalue of L other "
         "than 0 has a positive real part.",
-        repair_formula=r"\mathcal{L}+\mathcal{L}^\top\succeq0,\qquad"
-        r"\operatorname{Re}\mu>0\ \text{for every eigenvalue}\ \mu\ne0",
+        repair_formula=r"\mathcal{L}+\mathcal{L}^\top\succeq0,\quad"
+        r"\operatorname{Re}\mu>0\ \text{for eigenvalues}\ \mu\ne0",
         certificates={
             "bearing_dac.lemma_1_symmetric": refuted,
             "bearing_dac.lemma_1_symmetric_repair": repaired,

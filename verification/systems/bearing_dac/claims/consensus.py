@@ -118,7 +118,7 @@ def stays_classical() -> Decision:
         repair="In Filippov's sense, with any signs between -1 and 1 at a tie, agreement is kept "
         "at every gain from gamma sqrt(n/lambda_2) on.",
         repair_formula=r"\dot{\tilde x}\in-\beta\mathcal{B}\,\mathrm{SGN}(\mathcal{B}^\top\tilde x)"
-        r"+M\dot\phi,\qquad\mathrm{SGN}(0)=[-1,1]",
+        r"+M\dot\phi,\quad\mathrm{SGN}(0)=[-1,1]",
         relies_on=reliances(certificates),
         certificates=certificates,
     )
