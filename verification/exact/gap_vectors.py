@@ -19,6 +19,12 @@ BITS = 200
 
 VECTOR_BITS = 60
 
+UNLIKE_BITS = 40
+"""Bits from lambda_2 to the heaviest node beyond which vectors need more bits than those."""
+
+CLEAR = 1e-6
+"""Share of the heaviest node from which on lambda_2 is not lost in the rounding of doubles."""
+
 EXCESS_BITS = 40
 """The quotient of a rounded eigenvector exceeds lambda_2 by a share of 2^-EXCESS_BITS, or so."""
 
@@ -80,13 +86,48 @@ def refined_vector(network: Network) -> tuple[int, ...]:
     tuple of int
         One a node, without a common divisor.
     """
-    x = np.linalg.eigh(network.laplacian().toarray())[1][:, 1]
-    mids = _refined(network, [Fraction(float(v)) for v in x])
+    start, value = _start(network)
+    extra = max(0, math.ceil(math.log2(float(_heaviest(network)) / value)) - UNLIKE_BITS)
+    mids = _refined(network, start, value, extra)
     size = max(abs(v) for v in mids)
-    whole = [round(v / size * 2**VECTOR_BITS) for v in mids]
+    whole = [round(v / size * 2 ** (VECTOR_BITS + extra // 2)) for v in mids]
     centred = [network.n * v - sum(whole) for v in whole]
     common = math.gcd(*centred)
     return tuple(v // common for v in centred)
+
+
+def _heaviest(network: Network) -> Fraction:
+    """Largest entry of the Laplacian's diagonal, which is at least half of every eigenvalue."""
+    degrees = [Fraction(0)] * network.n
+    for (i, j), w in zip(network.edges.tolist(), network.exact_weights(), strict=True):
+        degrees[i] += w
+        degrees[j] += w
+    return max(degrees)
+
+
+def _start(network: Network) -> tuple[list[Fraction], float]:
+    """An eigenvector to the accuracy of doubles, and lambda_2 for it."""
+    values, vectors = np.linalg.eigh(network.laplacian().toarray())
+    x, value = vectors[:, 1], float(values[1])
+    if value > CLEAR * float(_heaviest(network)):
+        start = [Fraction(float(v)) for v in x]
+        return start, float(rayleigh(network, _whole(start)))
+    values, vectors = np.linalg.eigh(_inverse(network))
+    return [Fraction(float(v)) for v in vectors[:, -1]], 1 / float(values[-1])
+
+
+def _inverse(network: Network) -> NDArray[np.float64]:
+    """Pseudo-inverse of the Laplacian: of its eigenvalues, doubles keep that of lambda_2 best."""
+    import flint
+
+    n, level = network.n, _heaviest(network)
+    unlike = math.log2(level / min(network.exact_weights()))
+    flint.ctx.prec = BITS + 2 * math.ceil(unlike)
+    rows = [[_arb(x + level / n) for x in row] for row in laplacian_rows(network)]
+    one = flint.arb_mat([[int(i == j) for j in range(n)] for i in range(n)])
+    found = flint.arb_mat(rows).solve(one, algorithm="approx")
+    rest = _arb(1 / (level * n))
+    return np.array([[float((found[i, j] - rest).mid()) for j in range(n)] for i in range(n)])
 
 
 def laplacian_rows(network: Network) -> Rows:
@@ -100,33 +141,32 @@ def laplacian_rows(network: Network) -> Rows:
     return tuple(map(tuple, rows))
 
 
-def shifted_rows(network: Network, s: Fraction) -> list[list[Fraction]]:
-    """L - s I + (s + 1) J/n, positive definite if and only if lambda_2 > s."""
-    spread = (s + 1) / network.n
+def _shifted_rows(network: Network, s: Fraction) -> list[list[Fraction]]:
+    """L - s I and enough on the constant vectors: positive if and only if lambda_2 > s."""
+    spread = (s + _heaviest(network)) / network.n
     rows = [[x + spread for x in row] for row in laplacian_rows(network)]
     for i, row in enumerate(rows):
         row[i] -= s
     return rows
 
 
-def _refined(network: Network, vector: list[Fraction]) -> list[Fraction]:
+def _refined(network: Network, start: list[Fraction], value: float, extra: int) -> list[Fraction]:
     """Two steps of inverse iteration in many bits; the shift is a little below lambda_2."""
     import flint
 
     n = network.n
-    start = _whole(vector)
-    shift = rayleigh(network, start) * (1 - Fraction(1, 10**9))
-    flint.ctx.prec = BITS
-    matrix = flint.arb_mat([[_arb(x) for x in row] for row in shifted_rows(network, shift)])
-    x = flint.arb_mat([[flint.arb(v)] for v in start])
+    shift = Fraction(value) * (1 - Fraction(1, 10**9))
+    flint.ctx.prec = BITS + 2 * extra
+    matrix = flint.arb_mat([[_arb(x) for x in row] for row in _shifted_rows(network, shift)])
+    x = flint.arb_mat([[flint.arb(v)] for v in _whole(start)])
     for _ in range(2):
         try:
             x = matrix.solve(x, algorithm="approx")
         except ZeroDivisionError:
             break
-        top = max(abs(float(x[i, 0].mid())) for i in range(n))
+        top = max(abs(x[i, 0].mid()) for i in range(n))
         x = flint.arb_mat([[(x[i, 0] / top).mid()] for i in range(n)])
-    scale = flint.arb(2) ** (2 * VECTOR_BITS)
+    scale = flint.arb(2) ** (2 * (VECTOR_BITS + extra // 2))
     return [Fraction(int((x[i, 0] * scale).mid().floor().unique_fmpz() or 0)) for i in range(n)]
 
 

@@ -218,8 +218,9 @@ def _mode(network: Network, symbolic: Symbolic) -> Mode:
 
 
 def _excess(network: Network, share: float) -> int:
-    """Bits by which the heaviest node exceeds a share of lambda_2."""
-    return max(0, math.ceil(math.log2(float(network.laplacian().diagonal().max()) / share)))
+    """Bits by which the root of the heaviest node, a column's unit, exceeds a share of lambda_2."""
+    heaviest = float(network.laplacian().diagonal().max())
+    return max(0, math.ceil(math.log2(heaviest) / 2 - math.log2(share)))
 
 
 def _enough_bits(network: Network, symbolic: Symbolic, room: float) -> int:

@@ -6,9 +6,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from sensortrack.networks import Network, read_network
-from tests.strategies import connected_networks
+from tests.strategies import connected_networks, rationals
 from verification.certificates.make import CertificateError, certificate
 from verification.exact import slow_modes, spectral_gap
 from verification.exact.gap_vectors import laplacian_rows, rayleigh
@@ -186,3 +187,20 @@ def test_too_long_an_elimination_is_said_to_be_so(monkeypatch: pytest.MonkeyPatc
     assert connectivity_value(network) == pytest.approx(value, rel=1e-9)
     monkeypatch.setattr(slow_modes, "RESTARTS", 1)
     assert connectivity_value(network) is None
+
+
+@given(connected_networks(2, 7), st.data())
+@settings(max_examples=25)
+def test_weights_of_very_different_sizes_keep_a_bracket(
+    network: Network, data: st.DataObject
+) -> None:
+    """Doubles lose lambda_2 in the rounding of the heaviest weight; integers do not."""
+    sizes = st.integers(-90, 90).map(lambda k: Fraction(10) ** k)
+    weight = st.builds(lambda share, size: share * size, rationals(Fraction(1, 9), 9, 9), sizes)
+    weights = tuple(data.draw(weight) for _ in range(network.m))
+    unlike = Network(network.names, network.edges, weights)
+    gap = connectivity_bracket(unlike)
+    assert 0 < gap.lower < gap.upper <= gap.lower * (1 + Fraction(1, 10**12))
+    assert connectivity_value(unlike) == pytest.approx(float(gap.upper), rel=1e-12, abs=0)
+    ask = ("bearing_dac", "algebraic_connectivity", {"graph": unlike.to_data()})
+    certificate(*ask, [gap.above, gap.below], lower=gap.lower, upper=gap.upper)
