@@ -85,6 +85,20 @@ def nearest(name: str, known: Sequence[str]) -> str:
     return f"did you mean {folded[near[0]]}?" if near else ""
 
 
+def positive(values: Mapping[str, Any], name: str, what: str = "a number") -> Fraction:
+    """The number of that name, after checking that it is above zero.
+
+    Raises
+    ------
+    InputError
+        It is zero or negative.
+    """
+    value: Fraction = values[name]
+    if value <= 0:
+        raise InputError(name, f"{value}", f"{what} above 0 is needed")
+    return value
+
+
 def _number(name: str, given: object) -> Fraction:
     if isinstance(given, (bool, list, dict)) or given is None:
         raise InputError(name, shown(given), "a number is needed")

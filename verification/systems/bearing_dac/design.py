@@ -14,6 +14,7 @@ from verification.exact.cut_components import components, spread
 from verification.exact.cuts import CutBracket, slowest, threshold
 from verification.exact.edge_choice import with_edge
 from verification.exact.rationals import above, nearest
+from verification.input_kinds import positive
 
 from .brackets import NO_WITNESS
 from .critical import edge_of
@@ -97,9 +98,7 @@ def gain_in_time(values: Mapping[str, Any]) -> Designed:
     """
     network, gamma = network_of(values), bounds_of(values)
     x0: Numbers = values["x0"]
-    time: Fraction = values["time"]
-    if time <= 0:
-        raise InputError("time", f"{time}", "a time above 0 is needed")
+    time = positive(values, "time", "a time")
     parts = components(network, gamma)
     if not any(spread([x0[i] for i in part.nodes]) for part in parts):
         needed = "a start apart from agreement is needed, or no x0 and no time"

@@ -9,6 +9,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from sensortrack.networks import Network
 from verification.exact.cut_components import even, flat
+from verification.input_kinds import positive
 
 Numbers = tuple[Fraction, ...]
 
@@ -83,10 +84,7 @@ def gain_of(values: Mapping[str, Any]) -> Fraction:
     InputError
         beta is zero or negative.
     """
-    beta: Fraction = values["beta"]
-    if beta <= 0:
-        raise InputError("beta", f"{beta}", "a gain above 0 is needed")
-    return beta
+    return positive(values, "beta", "a gain")
 
 
 def graph_data(network: Network, product: bool = False) -> dict[str, Any]:

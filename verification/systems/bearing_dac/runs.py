@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from sensortrack.errors import InputError
 from sensortrack.networks import Network
 from verification.answers import Answer
 from verification.certificates.make import CertificateError, certificate
@@ -15,6 +14,7 @@ from verification.exact.cut_components import spread
 from verification.exact.cuts import CutBracket, slowest
 from verification.exact.filippov import LongRunError, Run, filippov_run
 from verification.exact.rationals import above, below, nearest, root
+from verification.input_kinds import positive
 
 from .brackets import NO_WITNESS, OPEN, SYSTEM, TOO_LONG
 from .gains import reaches_printed_gain
@@ -114,20 +114,6 @@ def by_component(network: Network) -> list[int]:
     return sorted(range(network.m), key=lambda k: home[heads[k]])
 
 
-def step_of(values: Mapping[str, Any]) -> Fraction:
-    """h, after checking that it is positive.
-
-    Raises
-    ------
-    InputError
-        h is zero or negative.
-    """
-    h: Fraction = values["h"]
-    if h <= 0:
-        raise InputError("h", f"{h}", "a step above 0 is needed")
-    return h
-
-
 def implicit_steps(values: Mapping[str, Any]) -> Answer:
     """Number of implicit steps to exact agreement: |x0|/(h r), rounded up.
 
@@ -146,12 +132,8 @@ def implicit_steps(values: Mapping[str, Any]) -> Answer:
     InputError
         The network has no edge, a bound is negative, beta <= 0 or h <= 0.
     """
-    network, gamma, beta, h = (
-        network_of(values),
-        bounds_of(values),
-        gain_of(values),
-        step_of(values),
-    )
+    network, gamma, beta = network_of(values), bounds_of(values), gain_of(values)
+    h = positive(values, "h", "a step")
     x0: Numbers = values["x0"]
     found = slowest(network, gamma, beta, x0)
     inputs = {
@@ -235,12 +217,8 @@ def chattering_bound(values: Mapping[str, Any]) -> Answer:
     InputError
         The network has no edge, a bound is negative, beta <= 0 or h <= 0.
     """
-    network, gamma, beta, h = (
-        network_of(values),
-        bounds_of(values),
-        gain_of(values),
-        step_of(values),
-    )
+    network, gamma, beta = network_of(values), bounds_of(values), gain_of(values)
+    h = positive(values, "h", "a step")
     notes = component_notes(network, "the largest bound counts")
     bounds = []
     for nodes in pieces(network):

@@ -9,6 +9,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.exact.definite import asymmetry, negative_vector
 from verification.exact.evaluate import Rows, quadratic
+from verification.input_kinds import positive
 
 NAMES = ("M", "K", "C")
 
@@ -49,10 +50,7 @@ def positive_step(values: Mapping[str, Any]) -> Fraction:
     InputError
         h is zero or negative.
     """
-    h: Fraction = values["h"]
-    if h <= 0:
-        raise InputError("h", f"{h}", "a step above 0 is needed")
-    return h
+    return positive(values, "h", "a step")
 
 
 def definite_gain(name: str, rows: Rows) -> None:
