@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import pointer
 
 from .cut_graph import CutGraph, Flags, Floats, Nodes, Rows, Scales, rows_of
 
@@ -174,9 +175,7 @@ class _Band:
             np.zeros(max(n, arcs, 1), dtype=np.int64),
             marks,
         )
-        library.sensortrack_min_cut(
-            ctypes.c_int32(n), *(ctypes.c_void_p(array.ctypes.data) for array in arrays)
-        )
+        library.sensortrack_min_cut(ctypes.c_int32(n), *(pointer(array) for array in arrays))
         return marks
 
     def _by_scipy(self) -> NDArray[np.uint8]:

@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import call
 from verification.progress import tell
 
 from .cells import places
 from .charts import Chart
 from .laplacian_solver import Floats, Grounded
-from .wiring import Forest, Nodes, call
+from .wiring import Forest, Nodes
 
 COLUMNS = 16
 """How many sources are treated at a time."""

@@ -24,11 +24,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import call
 
 from .cell_flows import WEIGHT_BITS, Level, blocks
 from .cut_problem import Problem
 from .laplacian_solver import Floats
-from .wiring import call
 
 Integers = NDArray[np.int64]
 

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import pointer
 
 from .cut_problem import Aim, Hurdle, Problem
 
@@ -244,12 +245,12 @@ def _pairs(graph: CutGraph, largest: float, seed: int) -> Nodes:
     if library is not None:
         import ctypes
 
-        pointers = (rows.start, rows.head, weight, graph.size, order)
+        arrays = (rows.start, rows.head, weight, graph.size, order)
         library.sensortrack_pair(
             ctypes.c_int32(graph.n),
-            *(ctypes.c_void_p(array.ctypes.data) for array in pointers),
+            *(pointer(array) for array in arrays),
             ctypes.c_double(largest),
-            ctypes.c_void_p(mate.ctypes.data),
+            pointer(mate),
         )
         return mate
     sizes, links, heads = graph.size.tolist(), weight.tolist(), rows.head.tolist()

@@ -30,9 +30,9 @@ from numpy.typing import NDArray
 
 from sensortrack.errors import SensorTrackError
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import pointer
 from sensortrack.networks import Network
 
-from .nested_dissection import pointer
 from .sparse_pattern import Symbolic
 
 WIDE = 124

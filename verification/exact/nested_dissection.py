@@ -11,22 +11,17 @@ A. George, "Nested dissection of a regular finite element mesh", SIAM J. Numer. 
 from __future__ import annotations
 
 import ctypes
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sensortrack.errors import InputError
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import pointer
 
 Integers = NDArray[np.int32]
 MOST = 2**30
 """Most links that the kernels number, each edge counted twice."""
-
-
-def pointer(array: NDArray[Any]) -> ctypes.c_void_p:
-    """Address of a contiguous array for a C function."""
-    return array.ctypes.data_as(ctypes.c_void_p)
 
 
 def neighbours(n: int, edges: NDArray[np.int64]) -> tuple[NDArray[np.int64], Integers]:

@@ -24,9 +24,10 @@ from numpy.typing import NDArray
 
 from sensortrack.errors import SensorTrackError
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import pointer
 
 from .blas import blas, one_thread
-from .nested_dissection import Integers, pointer
+from .nested_dissection import Integers
 from .sparse_pattern import Symbolic, analyse
 
 __all__ = ["Factor", "FactorError", "Symbolic", "analyse", "factorise"]

@@ -20,9 +20,10 @@ from numpy.typing import NDArray
 
 from sensortrack.errors import InputError
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import pointer
 
 from .blas import blas
-from .nested_dissection import Integers, elimination_order, neighbours, pointer
+from .nested_dissection import Integers, elimination_order, neighbours
 
 
 @dataclass(frozen=True)

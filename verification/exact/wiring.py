@@ -6,14 +6,13 @@ partition. Both roads visit the same nodes in the same order.
 
 from __future__ import annotations
 
-import ctypes
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sensortrack.kernels import kernel
+from sensortrack.kernels.calling import call
 
 Nodes = NDArray[np.int32]
 Places = NDArray[np.int64]
@@ -171,26 +170,6 @@ def smooth(wires: Wiring, home: Nodes, label: Nodes) -> int:
         moves += best != label[i]
         label[i] = best
     return moves
-
-
-def call(function: Any, *arguments: Any, returns: Any = ctypes.c_int64) -> Any:
-    """Call a function of a kernel with whole numbers and contiguous arrays.
-
-    Parameters
-    ----------
-    function : ctypes function
-    *arguments : int or ndarray
-    returns : ctypes type or None, optional
-    """
-    function.restype = returns
-    return function(*map(_passed, arguments))
-
-
-def _passed(argument: Any) -> Any:
-    if isinstance(argument, np.ndarray):
-        assert argument.flags.c_contiguous
-        return ctypes.c_void_p(argument.ctypes.data)
-    return ctypes.c_int64(argument)
 
 
 def _row(wires: Wiring, i: int) -> list[int]:
