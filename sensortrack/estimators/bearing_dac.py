@@ -317,8 +317,6 @@ class BearingDac:
         rows = self._averaged(state.angles, state.fresh)
         return np.asarray(rows[state.present].mean(axis=0))
 
-    # ------------------------------------------------------------------------- inner works
-
     def _with(self, state: BearingState, w: Floats) -> BearingState:
         r = self._averaged(state.angles, state.fresh)
         consensus = self.engine.init(r, w)

@@ -112,7 +112,13 @@ class _Lowering:
         self.values[assignment.target] = value
 
     def evaluate(self, tree: Tree) -> Matrix:
-        """The entries of a formula."""
+        """The entries of a formula.
+
+        Raises
+        ------
+        ValueError
+            The formula has something that no language is generated from.
+        """
         algebra = self.algebra
         match tree:
             case ("number", int(number)):

@@ -74,6 +74,11 @@ def answer(options: argparse.Namespace, system: str, question: Question) -> tupl
     answer : Answer
     written : bool
         Whether everything that was asked for was written.
+
+    Raises
+    ------
+    InputError
+        The question or its inputs cannot be used, or ``--out`` is no place for a certificate.
     """
     name = f"{system}.{question.name}"
     out = Path(options.out) if options.out is not None else None

@@ -30,7 +30,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run, write the folder, print the summary; 0."""
+    """Run, write the folder, print the summary; 0.
+
+    Raises
+    ------
+    InputError
+        The seed is negative, or the scenario or the folder cannot be used.
+    """
     from sensortrack.simulation import read_scenario, simulate
     from verification.report import build
 

@@ -84,8 +84,7 @@ def wiring(n: int, edges: NDArray[np.int64]) -> Wiring:
     m = len(first)
     ends = np.concatenate([first, second])
     numbers = np.concatenate([np.arange(m, dtype=np.int32)] * 2)
-    by_edge = np.argsort(numbers, kind="stable")
-    order = by_edge[np.argsort(ends[by_edge], kind="stable")]
+    order = np.lexsort((numbers, ends))
     start = np.concatenate([[0], np.cumsum(np.bincount(ends, minlength=n))]).astype(np.int64)
     near = np.concatenate([second, first])[order]
     return Wiring(n, first, second, start, near, numbers[order])
