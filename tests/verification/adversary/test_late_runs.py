@@ -6,8 +6,9 @@ from fractions import Fraction
 import pytest
 
 from sensortrack.networks import read_network
-from verification.adversary.late_runs import latest, timed
 from verification.adversary.small_graphs import connected_graphs
+
+from .late_runs import latest, timed
 
 GRAPHS = [network for nodes in range(2, 6) for network in connected_graphs(nodes)]
 
