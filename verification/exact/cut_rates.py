@@ -86,3 +86,24 @@ def _rate_hurdle(task: Problem, start: Hurdle, goal: Hurdle, up: Fraction) -> Hu
                 return None
             found = replace(start, q=s * (task.n - s), d=gap)
     return found
+
+
+def is_even_ring(task: Problem) -> bool:
+    """Whether a connected network is a cycle with one weight and one bound."""
+    if len(task.edges) != task.n or not task.even or len(set(task.weights)) > 1:
+        return False
+    return bool((np.bincount(task.edges.ravel(), minlength=task.n) == 2).all())
+
+
+def half_of_ring(task: Problem) -> tuple[int, ...]:
+    """Half of the nodes of a ring, side by side."""
+    beside: list[list[int]] = [[] for _ in range(task.n)]
+    for i, j in task.edges.tolist():
+        beside[i].append(j)
+        beside[j].append(i)
+    arc, here, before = [0], 0, beside[0][0]
+    while len(arc) < task.n // 2:
+        first, second = beside[here]
+        before, here = here, second if first == before else first
+        arc.append(here)
+    return tuple(sorted(arc))

@@ -19,7 +19,7 @@ from .cut_gap import gap_bound, is_dense, may_improve
 from .cut_local import congested_cut, good_cut
 from .cut_orders import orders
 from .cut_problem import Aim, Hurdle, Problem
-from .cut_rates import shown_hurdle
+from .cut_rates import half_of_ring, is_even_ring, shown_hurdle
 from .cut_search import LARGEST, Found, Walk
 from .large_cuts import large_cut
 from .routing import Routing, better_routing, closes, first_routing
@@ -133,9 +133,8 @@ def solve(task: Problem, start: Hurdle, aim: Aim, budget: Budget) -> Solved:
         part = {"kind": "enumeration", "order": list(range(task.n))}
         shown = Shown(start, part, 2) if task.n <= LARGEST else None
         return Solved((0,), start, shown, True)
-    look = good_cut if task.n <= SMALL else large_cut
-    tell(f"{task.n} nodes: bad cuts")
-    solved = _with(task, start, aim, Solved((), start), look(task, start, aim))
+    solved = _with(task, start, aim, Solved((), start), _bad_cut(task, start, aim))
+    solved = replace(solved, complete=is_even_ring(task))
     if is_dense(task):
         solved = _expanding(task, start, solved, aim)
     if solved.hurdle is None or solved.closed or (is_dense(task) and task.n > EXPLICIT):
@@ -175,6 +174,14 @@ def refute_or_show(task: Problem, hurdle: Hurdle, budget: Budget) -> Cut | Shown
             part = {"kind": "enumeration", "order": list(order)}
             return found.cut or Shown(hurdle, part, found.visits)
     return None
+
+
+def _bad_cut(task: Problem, start: Hurdle, aim: Aim) -> Cut:
+    """A cut to begin with."""
+    if is_even_ring(task):
+        return half_of_ring(task)
+    tell(f"{task.n} nodes: bad cuts")
+    return (good_cut if task.n <= SMALL else large_cut)(task, start, aim)
 
 
 def _with(task: Problem, start: Hurdle, aim: Aim, solved: Solved, cut: Cut) -> Solved:
@@ -281,9 +288,7 @@ def _rated(task: Problem, start: Hurdle, solved: Solved, budget: Budget) -> Solv
     if not task.even or solved.hurdle is None:
         return solved
     unit = task.with_unit_bounds()
-    look = good_cut if task.n <= SMALL else large_cut
-    tell(f"{task.n} nodes: bad cuts")
-    cut = look(unit, NO_LOAD, Aim.RATIO)
+    cut = _bad_cut(unit, NO_LOAD, Aim.RATIO)
     ratio = _routed(
         unit, NO_LOAD, _with(unit, NO_LOAD, Aim.RATIO, Solved((), NO_LOAD), cut), budget
     )
@@ -336,7 +341,8 @@ def _stronger(task: Problem, aim: Aim, solved: Solved, shown: Shown) -> Solved:
     known = solved.shown
     if known is not None and _as_strong(task, aim, known.hurdle, shown.hurdle):
         return solved
-    return replace(solved, shown=shown, complete=shown.hurdle == solved.hurdle)
+    complete = solved.complete or shown.hurdle == solved.hurdle
+    return replace(solved, shown=shown, complete=complete)
 
 
 def _valued(task: Problem, solved: Solved, aim: Aim, budget: Budget) -> Solved:

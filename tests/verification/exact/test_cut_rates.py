@@ -2,16 +2,17 @@
 
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sensortrack.networks import read_network
+from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
 from tests.verification.certificates.cut_cases import all_cuts
 from verification.exact.cut_problem import Aim, Hurdle, problem
 from verification.exact.cut_rates import least_weights, shown_hurdle
-from verification.exact.cuts import margin, slowest
+from verification.exact.cuts import margin, slowest, threshold
 
 
 def cuts_of(network, gamma):
@@ -90,3 +91,17 @@ def test_a_large_product_is_bounded_by_its_lightest_node_without_its_edges():
     network = read_network("grid:300,200")
     corner = margin(network)
     assert weight_of(network, corner.cut)[0] == 2
+
+
+@pytest.mark.parametrize("n", [5, 40, 601])
+def test_half_of_an_even_ring_is_its_worst_cut(n: int) -> None:
+    """At any size, also where no witness is short enough; nodes in any order."""
+    order = np.random.default_rng(n).permutation(n)
+    ends = np.sort(np.stack([order, np.roll(order, 1)], axis=1), axis=1)
+    ring = Network([str(i) for i in range(n)], ends, (Fraction(3),) * n)
+    p = Fraction(n // 2 * (n - n // 2), n)
+    assert margin(ring).value == 36 / p
+    assert threshold(ring, [Fraction(2)] * n).value == 4 * p / 6
+    x0 = [Fraction(1), *[Fraction(0)] * (n - 1)]
+    time = slowest(ring, [Fraction(2)] * n, p, x0)
+    assert time.value == (1 - Fraction(1, n)) * p / (6 * p - 4 * p) ** 2

@@ -17,7 +17,7 @@ USABLE = Fraction(1, 10**6)
 """Relative width of a certified bracket above which it gives no value."""
 
 TOO_LONG = (
-    "found by a search of all cuts that is longer than the certificate checker's budget: "
+    "the worst of all cuts, but showing so is longer than the certificate checker's budget: "
     "computed, not certified"
 )
 OPEN = "the bounds that could be proved are too far apart for a value"
