@@ -85,7 +85,7 @@ def test_a_target_on_a_sensor_is_a_missing_bearing():
     assert any("no bearing from a" in note for note in first.notes)
     passing = run((("target",), late), (("baselines",), []))
     (note,) = [note for note in passing.notes if "no bearing from a" in note]
-    assert "1 samples, first at 0.5 s" in note
+    assert "(1 sample, first at 0.5 s)" in note
 
 
 def test_noisy_sensors_on_one_line_that_the_target_crosses_give_no_error_of_the_program():

@@ -91,4 +91,7 @@ def merged(notes: list[tuple[float, tuple[str, ...]]]) -> tuple[str, ...]:
         for text in texts:
             first.setdefault(text, float(t))
             times[text] = times.get(text, 0) + 1
-    return tuple(f"{text} ({times[text]} samples, first at {first[text]:g} s)" for text in first)
+    return tuple(
+        f"{text} ({count} sample{'s' if count > 1 else ''}, first at {first[text]:g} s)"
+        for text, count in times.items()
+    )
