@@ -190,8 +190,10 @@ class Cuts:
         twin = [i and gamma[i] == gamma[i - 1] and near[i] | {i: 0, i - 1: 0} == near[i - 1] | {i: 0, i - 1: 0}
                 for i in range(self.n)]  # with the node before: swapping the two changes nothing
         side, link = [0] * self.n, ([0] * self.n, [0] * self.n)
+        bits = sum(x.bit_length() for x in (self.q, self.r, max(max(own.values(), default=0) for own in near) ** 2))
+        fee = [1 + (self.n + 4 * len(own)) * (1 + bits // 4096) // 128 + bits // 1024 for own in [*near, {}]]
         def visit(i, count, inside, k):
-            self.proof.steps += 1
+            self.proof.steps += fee[i]
             need(self.proof.steps <= CUT_STEPS, "too many cuts to visit")
             if i == self.n:  # all nodes on one side is no cut
                 clear = count == i or self.clear(k, self.load(count, inside), count)
@@ -271,17 +273,19 @@ class Cuts:
         eliminate(self.proof, near, least, order, bits)
         self.settle(2 * max(self.pushes) / least)
     def largest(self, loads, scale):
-        return max((x / w for x, (*_, w) in zip(loads, self.edges)), default=1) / scale
+        return max((x / w for x, (*_, w) in zip(loads, self.edges)), default=Fraction(1)) / scale
     def settle(self, top):
         """N/k is at most the largest load; with one gamma, a cut of s nodes has a weight of at least c grains."""
         if not self.even:
             return need(not self.r and top <= self.b * self.unit, f"the routing proves {top / self.unit} only")
-        degrees = sorted(map(len, self.near))
+        degrees, least, held, low = sorted(map(len, self.near)), Fraction(2 * self.grain, self.n) / top, 0, 0
+        grain = int(self.b * self.unit * self.n / self.grain)  # scaled as weights are: unit holds both denominators
         for s in range(1, self.n // 2 + 1):  # a node has at most s - 1 neighbours within
-            out = sum(max(d - s + 1, 0) for d in degrees[:s]) if s <= degrees[-1] else 0
-            c = max(1, out, math.ceil(Fraction(2 * s * (self.n - s) * self.grain, self.n) / top))
-            k = c * self.b * self.unit * self.n / self.grain
-            need(self.clear(k, self.load(s, s * self.gamma[0]), s), f"a cut of {s} nodes may fail")
+            held += degrees[s - 1]
+            while low < s and degrees[low] < s:  # held: the sum of degrees[low:s], of those >= s among the first s
+                held, low = held - degrees[low], low + 1
+            c = max(1, held - (s - low) * (s - 1), -(-s * (self.n - s) * least.numerator // least.denominator))
+            need(self.clear(c * grain, self.load(s, s * self.gamma[0]), s), f"a cut of {s} nodes may fail")
 
 class Proof:
     """Evaluates the predicates of one statement and takes the witness items in order."""
@@ -467,6 +471,7 @@ def eliminate(proof, near, s, order, bits, **_):
     # What is taken from later rows waits there as one integer a row, in digits of `wide` bytes around 0, one a place.
     order, bits, slack, load = listed(order, len(near), whole), whole(bits), [0] * len(near), [0] * len(near)
     need(0 <= bits <= DIGITS and sorted(order) == [*range(len(near))], "no order of the nodes")
+    need(sum(map(len, near)) * bits <= LIVE, "too much to eliminate")
     at, unit, live, negative, waiting = {v: k for k, v in enumerate(order)}, 4**bits, 0, 0, [[] for _ in order]
     links = [{at[u]: w.numerator * unit // w.denominator for u, w in near[v].items()} for v in order]
     shift = math.ceil(s * unit)
@@ -479,7 +484,8 @@ def eliminate(proof, near, s, order, bits, **_):
         spots = sorted({k, *(j for j in own if j > k)}.union(*(places for places, _ in waiting[k])))
         size, rows, spot = len(spots), [0] * len(spots), {j: i for i, j in enumerate(spots)}
         live += size**2 - sum(len(places) ** 2 for places, _ in waiting[k])
-        proof.steps += (size * wide) ** 2 // 400_000
+        moved = sum(len(places) for places, _ in waiting[k] if places != spots)
+        proof.steps += (size * wide) ** 2 // 400_000 + moved * size * (64 + wide) // 130_000
         need(proof.steps <= CUT_STEPS and live * wide <= LIVE, "too much to eliminate")
         for places, packed in waiting[k]:
             to = [spot[j] for j in places]
@@ -524,6 +530,9 @@ def points(proof, graph, beta, bound, x, clock=Fraction(0)):
         rate, signs = [a - mean for mean in [sum(u) / graph.n] for a in u], listed(piece["signs"], len(edges), number)
         for (i, j, w), sign in zip(edges, signs):
             rate[i], rate[j] = rate[i] - beta * w * sign, rate[j] + beta * w * sign
+        bits = max(v.numerator.bit_length() + v.denominator.bit_length() for v in x + rate)
+        proof.steps += (graph.n + len(edges)) * (bits >> 10) ** 2 // 2  # fractions are reduced in the square of that
+        need(proof.steps <= CUT_STEPS, "a run of numbers too long")
         y = [a + span * v for a, v in zip(x, rate)]
         for (i, j, _), sign in zip(edges, signs):
             ends = x[i] - x[j], y[i] - y[j]  # and in between the difference is between
@@ -552,7 +561,8 @@ def environment(statement, inputs):
     """Values of a statement's names: data, letters ("matrix: n m", "vector: n") and scalars ("positive")."""
     env, graph = {}, next((Graph(inputs[k]) for k, kind in statement["inputs"].items() if "graph" in kind), None)
     for name, kind, value in ((name, kind, inputs[name]) for name, kind in statement["inputs"].items()):
-        need(kind != "unweighted graph" or "weights" not in value, "a graph without weights is due")
+        bare = kind != "unweighted graph" or all("weights" not in g for g in (value, *value.get("product", ())))
+        need(bare, "a graph without weights is due")
         each = kind == "nodes" and not graph.factors  # then one number stands for all nodes
         rows = [[value]] if kind in ("number", "nodes") and not each else value
         rows = [[x] for x in (listed(rows, graph.n) if type(rows) is list else [rows] * graph.n)] if each else rows
@@ -581,7 +591,8 @@ def check_document(document, statements, kind_of_proof=Proof):
     need(type(inputs) is dict and {*inputs} == {*statement["inputs"]}, "inputs missing or too many")
     text = json.dumps([inputs, ends, document["witness"]])
     digits = sum(map(len, {*re.findall("/([0-9]+)", text)}))  # of what sums are brought to
-    need(digits <= DENOMINATORS and digits * text.count(",") <= SCALED, "denominators too many and too long")
+    scaled = digits + max(map(len, re.findall("[0-9]{100,}", text)), default=0)
+    need(digits <= DENOMINATORS and scaled * text.count(",") <= SCALED, "denominators too many and too long")
     kinds = {name: text.partition(":")[0] for name, text in statement["symbols"].items()}
     need(not (kinds and inputs), "letters or data")
     env = {end: constant(number(ends[end])) for end, fixed in case["ends"].items() if fixed is None}

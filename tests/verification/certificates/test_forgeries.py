@@ -29,7 +29,7 @@ CHANGES = {
 }
 
 
-MOST_PLACES = 100
+MOST_PLACES = 40
 """Numbers of one file that are changed, evenly spread over a longer one."""
 
 
