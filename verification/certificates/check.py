@@ -280,11 +280,12 @@ class Cuts:
             return need(not self.r and top <= self.b * self.unit, f"the routing proves {top / self.unit} only")
         degrees, least, held, low = sorted(map(len, self.near)), Fraction(2 * self.grain, self.n) / top, 0, 0
         grain = int(self.b * self.unit * self.n / self.grain)  # scaled as weights are: unit holds both denominators
+        few = 2 if all(d % 2 == 0 for d in degrees) else 1  # an even number of links leaves S if all nodes have one
         for s in range(1, self.n // 2 + 1):  # a node has at most s - 1 neighbours within
             held += degrees[s - 1]
             while low < s and degrees[low] < s:  # held: the sum of degrees[low:s], of those >= s among the first s
                 held, low = held - degrees[low], low + 1
-            c = max(1, held - (s - low) * (s - 1), -(-s * (self.n - s) * least.numerator // least.denominator))
+            c = max(few, held - (s - low) * (s - 1), -(-s * (self.n - s) * least.numerator // least.denominator))
             need(self.clear(c * grain, self.load(s, s * self.gamma[0]), s), f"a cut of {s} nodes may fail")
 
 class Proof:

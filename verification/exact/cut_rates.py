@@ -2,8 +2,9 @@
 
 If 2 p/k <= g for all cuts of a connected network, a cut of s nodes has a weight of at least 2 p/g,
 p = s (n - s)/n. Weights are multiples of a unit fraction, so that this may be rounded up. In a
-small cut a node has at most s - 1 of its neighbours beside it, and the others are across. With one
-bound gamma for all nodes N depends on s alone, and the least (beta k - N)/sqrt(p) follows.
+small cut a node has at most s - 1 of its neighbours beside it, and the others are across. Where all
+nodes have an even number of neighbours, an even number of links leaves every set. With one bound
+gamma for all nodes N depends on s alone, and the least (beta k - N)/sqrt(p) follows.
 """
 
 from __future__ import annotations
@@ -36,10 +37,11 @@ def least_weights(task: Problem, up: Fraction) -> Iterator[tuple[int, int, int]]
     factor = Fraction(2 * task.weight_unit, n) / up
     top, bottom = factor.numerator, factor.denominator
     degrees = np.sort(np.bincount(task.edges.ravel(), minlength=n))
+    fewest = 1 if (degrees % 2).any() else 2
     for s in range(1, n // 2 + 1):
-        few = s <= degrees[-1]
-        out = int(np.maximum(degrees[:s] - (s - 1), 0).sum()) if few else 0
-        yield max(1, out, -(-top * s * (n - s) // bottom)), task.load(s, s * gamma), s
+        small = s <= degrees[-1]
+        out = int(np.maximum(degrees[:s] - (s - 1), 0).sum()) if small else 0
+        yield max(fewest, out, -(-top * s * (n - s) // bottom)), task.load(s, s * gamma), s
 
 
 def shown_hurdle(

@@ -53,10 +53,10 @@ def test_one_bound_for_all_nodes_is_settled_as_the_lemma_says(network, top, gamm
     )
     n, common = network.n, math.lcm(*(w.denominator for w in weights))
     degrees = sorted(sum(v in link[:2] for link in links) for v in range(n))
-    fits = True
+    fits, fewest = True, 1 if any(d % 2 for d in degrees) else 2
     for s in range(1, n // 2 + 1):
         leaving = sum(max(d - s + 1, 0) for d in degrees[:s])
-        grains = max(1, leaving, math.ceil(2 * common * s * (n - s) / (n * top)))
+        grains = max(fewest, leaving, math.ceil(2 * common * s * (n - s) / (n * top)))
         fits &= b * grains / common >= 2 * gamma * s * (n - s) / Fraction(n)
     if fits:
         one.settle(top)

@@ -263,9 +263,10 @@ def settle(c: Component, b: Fraction, f: Fraction, e: Fraction, up: Fraction) ->
             raise Refused("the routing shows less")
         return
     grain = Fraction(1, math.lcm(*(w.denominator for w in c.weights)))
+    even = all(sum(i in pair for pair in c.pairs) % 2 == 0 for i in range(c.n))
     for s in range(1, c.n):
         outside = sorted(max(sum(i in pair for pair in c.pairs) - s + 1, 0) for i in range(c.n))
-        least = max(1, sum(outside[:s]), math.ceil(2 * c.p(s) / up / grain)) * grain
+        least = max(1 + even, sum(outside[:s]), math.ceil(2 * c.p(s) / up / grain)) * grain
         if not clear(b, f, e, least, 2 * c.gamma[0] * c.p(s), c.p(s)):
             raise Refused(f"{s} nodes and weight {least} may fail")
 

@@ -105,3 +105,11 @@ def test_half_of_an_even_ring_is_its_worst_cut(n: int) -> None:
     x0 = [Fraction(1), *[Fraction(0)] * (n - 1)]
     time = slowest(ring, [Fraction(2)] * n, p, x0)
     assert time.value == (1 - Fraction(1, n)) * p / (6 * p - 4 * p) ** 2
+
+
+@pytest.mark.parametrize("ask", [margin, lambda ring: threshold(ring, [Fraction(1)] * ring.n)])
+def test_a_long_ring_is_closed_because_its_cuts_are_even(ask):
+    """Two links leave every set of a network whose nodes all have an even number of neighbours."""
+    found = ask(read_network("cycle:1500"))
+    assert found.closed
+    assert found.clear["parts"][0]["kind"] in ("cells", "gap")
