@@ -26,6 +26,8 @@ class Input:
         SI unit, empty for a pure number.
     default : str or None, optional
         Exact text used when the input is not given; None makes it required.
+    optional : bool, optional
+        It may be left out, and is None then.
     """
 
     name: str
@@ -33,6 +35,7 @@ class Input:
     meaning: str
     unit: str = ""
     default: str | None = None
+    optional: bool = False
 
 
 @dataclass(frozen=True)

@@ -278,6 +278,12 @@ def _place(
     return place[ends]
 
 
+def _word(name: str, given: object) -> str:
+    if not isinstance(given, str):
+        raise InputError(name, shown(given), "a word is needed")
+    return given
+
+
 def _as_read(_: str, data: Any, __: Setting) -> Any:
     return data
 
@@ -287,6 +293,8 @@ KINDS: Mapping[str, Kind] = {
     "matrix": Kind("a number or a list of rows", _matrix, _multiple),
     "planar matrix": Kind("a number or two rows of two numbers", _matrix, _planar),
     "vector": Kind("a number or a list of numbers", _vector, _coordinates),
+    "list": Kind("a number or a list of numbers", _vector, _as_read),
+    "word": Kind("a word", _word, _as_read),
     "point": Kind("a list of two numbers", _point, _as_read),
     "points": Kind("a list of lists of two numbers", _points, _as_read),
     "links": Kind("lists of links [a, b]", _links, _links_of_graph),

@@ -65,7 +65,7 @@ def read_inputs(
     exact = {
         entry.name: _kind(entry).read(entry.name, given.get(entry.name, entry.default))
         for entry in inputs
-        if entry.kind != "graph"
+        if entry.kind != "graph" and not (entry.optional and entry.name not in given)
     }
     setting = Setting(network, _size(inputs, exact))
     values: dict[str, Any] = {}
@@ -74,6 +74,8 @@ def read_inputs(
         if entry.kind == "graph":
             values[entry.name] = network
             texts[entry.name] = network.label if network else None
+        elif entry.name not in exact:
+            values[entry.name] = texts[entry.name] = None
         else:
             values[entry.name] = _kind(entry).fit(entry.name, exact[entry.name], setting)
             texts[entry.name] = as_text(exact[entry.name])
@@ -115,6 +117,7 @@ def _known(
         entry
         for entry in inputs
         if entry.default is None
+        and not entry.optional
         and entry.name not in given
         and not (entry.kind == "graph" and network is not None)
     ]
@@ -129,11 +132,12 @@ def _kind(entry: Input) -> Kind:
 
 def _size(inputs: Sequence[Input], exact: Mapping[str, Any]) -> int:
     """Common size of the matrices that are given entry by entry, else of the vectors."""
-    matrices = {entry.name: exact[entry.name] for entry in inputs if entry.kind == "matrix"}
+    matrices = {e.name: exact[e.name] for e in inputs if e.kind == "matrix" and e.name in exact}
     sizes = {name: len(rows) for name, rows in matrices.items() if isinstance(rows, tuple)}
     if not sizes:
         return max(
-            (len(exact[entry.name]) for entry in inputs if entry.kind == "vector"), default=1
+            (len(exact[e.name]) for e in inputs if e.kind == "vector" and e.name in exact),
+            default=1,
         )
     size = Counter(sizes.values()).most_common(1)[0][0]
     like = next(name for name in sizes if sizes[name] == size)

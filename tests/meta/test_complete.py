@@ -11,7 +11,19 @@ from theory.systems import SYSTEMS
 from verification.systems import SYSTEMS as ROOMS
 
 NAMES = [system.name for system in SYSTEMS]
-WAITING: dict[str, set[str]] = {}
+WAITING: dict[str, set[str]] = {
+    "cyclic_spsa": {
+        "claims",
+        "decisions",
+        "questions",
+        "page",
+        "notebook",
+        "scenario",
+        "benchmark",
+        "stepper",
+        "laws",
+    }
+}
 """What a system does not have yet; an entry that is no longer true fails too."""
 
 

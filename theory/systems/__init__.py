@@ -2,9 +2,9 @@
 
 from ..statements import Statement
 from ..system import System
-from . import bearing_dac, variational
+from . import bearing_dac, cyclic_spsa, variational
 
-MODULES = (bearing_dac, variational)
+MODULES = (bearing_dac, cyclic_spsa, variational)
 """Each offers SYSTEM and STATEMENTS."""
 
 SYSTEMS: tuple[System, ...] = tuple(module.SYSTEM for module in MODULES)

@@ -98,6 +98,11 @@ class Poly:
             return turned, kind, columns, rows
         terms = {(s, (*(flip(*x) for x in w[::-1]),)): [*map(list, zip(*m))] for (s, w), m in self.terms.items()}
         return Poly(terms, self.shape[::-1])
+    def diagonal(self):
+        """A square matrix without what is off its diagonal; a column, put on the diagonal of one."""
+        rows, column = self.rows(), self.shape[1] == 1
+        need(column or self.shape[0] == self.shape[1], "a square matrix or a column is due")
+        return matrix([[row[not column and i] * (i == j) for j in range(len(rows))] for i, row in enumerate(rows)])
     def rows(self):
         need({*self.terms} <= {((), ())}, "data are due here, no variable and no letter")
         return self.terms.get(((), ()), [[Fraction(0)] * self.shape[1]] * self.shape[0])
@@ -115,8 +120,8 @@ class Graph:
         need(type(data) is dict and {*data} - {"weights"} in ({"nodes", "edges"}, {"product"}), "keys of a graph")
         self.factors, self.parts = listed(data.get("product", []), None, Graph), []
         if "product" in data:
-            fits = len(data) == 1 < len(self.factors) and all(len(factor.parts) == 1 for factor in self.factors)
-            need(fits, "a product has two factors or more, each connected and no product")
+            connected = all(len(factor.parts) == 1 for factor in self.factors)
+            need(connected and len(data) == 1 < len(self.factors), "a product of two or more connected graphs is due")
             self.n = math.prod(factor.n for factor in self.factors)
             return
         names, pairs = listed(data["nodes"]), listed(data["edges"], None, lambda pair: listed(pair, 2, whole))
@@ -167,7 +172,6 @@ class Cuts:
         return (self.n - 2 * s) * inside + s * self.total
     def clear(self, k, load, s):
         return k >= load and (k - load) ** 2 * self.q >= self.r * s * (self.n - s)
-
     def tree(self):
         """A cut is no better than the worst of its connected parts: on a tree, one edge each."""
         need(len(self.edges) == self.n - 1, "no tree")
@@ -179,7 +183,6 @@ class Cuts:
             up = parent[i]
             need(self.clear(self.near[i][up], self.load(below[i], inside[i]), below[i]), f"edge at node {i}")
             below[up], inside[up] = below[up] + below[i], inside[up] + inside[i]
-
     def enumeration(self, order):
         """Every cut, node by node; a branch ends where even its worst completion is clear."""
         need(self.n <= NODES and sorted(listed(order, self.n, whole)) == [*range(self.n)], "no order of some nodes")
@@ -210,7 +213,6 @@ class Cuts:
                     for u, w in near[i].items():
                         link[choice][u] -= w
         visit(0, 0, 0, 0)
-
     def routing(self, unit, flows):
         """Flows that carry every disturbance: N/k is at most the largest load of an edge."""
         unit, loads = whole(unit), [0] * len(self.edges)
@@ -295,7 +297,6 @@ class Proof:
         self.range, self.proved, self.given, self.steps = None, [], [], 0
     def take(self, kinds):
         return fields(next(self.items, None), kinds)
-
     def expression(self, node):
         match node:
             case ast.Constant(value=value) if type(value) is int:
@@ -340,7 +341,6 @@ class Proof:
                 PREDICATES[name](self, *map(self.expression, args))
             case _:
                 raise Reject(f"not a predicate: {ast.unparse(node)}")
-
     def local(self, poly):
         """Coefficients in a basis that is >= 0 on the range: Bernstein's, or powers of h - a."""
         if self.range is None:
@@ -380,7 +380,6 @@ class Proof:
             for i, row in enumerate(product(half, [*zip(*g)])):
                 need(2 * row[i] > sum(map(abs, row)), f"row {i} is not diagonally dominant")
         self.proved.append(rows)
-
     def derive(self, goal, sign, strict):
         """goal = sum of c X' P X (only if sign; c >= 0, P >= 0) + sum of left relation right."""
         item, rest, sure = self.take({"derivation": "squares relations"}), goal, not strict
@@ -405,7 +404,8 @@ ARITHMETIC = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.m
 ORDER = {ast.Eq: lambda d: not d.terms, ast.NotEq: lambda d: any(map(any, d.rows())),
          ast.Lt: lambda d: d.number() < 0, ast.LtE: lambda d: d.number() <= 0,
          ast.Gt: lambda d: d.number() > 0, ast.GtE: lambda d: d.number() >= 0}
-FUNCTIONS = {"T": Poly.transpose, "nodes": lambda g: constant(g.n),
+FUNCTIONS = {"T": Poly.transpose, "nodes": lambda g: constant(g.n), "diag": Poly.diagonal,
+             "trace": lambda a: constant(sum(map(sum, a.diagonal().rows()))),
              "eye": lambda g: g.dense(operator.eq), "ones": lambda g: g.dense(lambda i, j: 1),
              "laplacian": lambda g: g.dense(lambda i, j: sum(g.near[i].values()) if i == j else -g.near[i].get(j, 0))}
 def dips(proof, poly):
@@ -562,8 +562,8 @@ def environment(statement, inputs):
     """Values of a statement's names: data, letters ("matrix: n m", "vector: n") and scalars ("positive")."""
     env, graph = {}, next((Graph(inputs[k]) for k, kind in statement["inputs"].items() if "graph" in kind), None)
     for name, kind, value in ((name, kind, inputs[name]) for name, kind in statement["inputs"].items()):
-        bare = kind != "unweighted graph" or all("weights" not in g for g in (value, *value.get("product", ())))
-        need(bare, "a graph without weights is due")
+        graphs = (value, *value.get("product", ())) if kind == "unweighted graph" else ()
+        need(not any("weights" in g for g in graphs), "a graph without weights is due")
         each = kind == "nodes" and not graph.factors  # then one number stands for all nodes
         rows = [[value]] if kind in ("number", "nodes") and not each else value
         rows = [[x] for x in (listed(rows, graph.n) if type(rows) is list else [rows] * graph.n)] if each else rows

@@ -79,7 +79,9 @@ def _designs(system: str) -> Sequence[Design]:
 def _matching(designs: Sequence[Design], names: set[str]) -> Design:
     """The one design that takes these inputs and lacks none."""
     for design in designs:
-        required = {entry.name for entry in design.inputs if entry.default is None}
+        required = {
+            entry.name for entry in design.inputs if entry.default is None and not entry.optional
+        }
         if required <= names <= {entry.name for entry in design.inputs}:
             return design
     known = {entry.name for design in designs for entry in design.inputs}

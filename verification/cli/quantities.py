@@ -53,6 +53,8 @@ def _entry(
 
 
 def _name(entry: Input) -> str:
+    if entry.optional:
+        return f"({entry.name})"
     return entry.name if entry.default is None else f"{entry.name} [{entry.default}]"
 
 
@@ -63,4 +65,5 @@ def _described(entry: Input) -> dict[str, Any]:
         "meaning": entry.meaning,
         "unit": entry.unit,
         "default": entry.default,
+        "optional": entry.optional,
     }

@@ -34,6 +34,31 @@ def test_identities_need_no_witness_beyond_multiplying_out(goal, holds):
     assert accepts([f"{goal} == 0"], [derivation()], symbols=LETTERS) == holds
 
 
+@pytest.mark.parametrize(
+    "show, holds",
+    [
+        ("trace(A) == 5", True),
+        ("trace(A) == 10", False),
+        ("diag(A) - A == 0", False),
+        ("diag(x) - diag(A)*diag(A)/4*diag(x) == 0", False),
+        ("T(x)*diag(x)*x == 1 + 8", True),
+        ("diag(diag(A)) == diag(A)", True),
+        ("trace(diag(x)) == 3", True),
+        ("trace(T(x)) == 3", False),
+        ("diag(T(x)) == 0", False),
+        ("trace(A*T(A)) - trace(T(A)*A) == 0", True),
+    ],
+)
+def test_diagonals_and_traces(show, holds):
+    data = {"A": [[1, 2], [3, 4]], "x": [[1], [2]]}
+    assert accepts([show], [], data, dict.fromkeys(data, "matrix")) == holds
+
+
+@pytest.mark.parametrize("word", ["trace", "diag"])
+def test_diagonals_of_letters_are_refused(word):
+    assert not accepts([f"{word}(S) - {word}(S) == 0"], [derivation()], symbols=LETTERS)
+
+
 @pytest.mark.parametrize("order", ["<", ">", "<=", "!=", "is", "in"])
 def test_other_comparisons_are_not_settled_by_derivations(order):
     assert not accepts([f"T(x)*P*x {order} 0"], [derivation([("1", "x", "P")])], symbols=LETTERS)

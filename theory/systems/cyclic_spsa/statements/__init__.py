@@ -1,0 +1,15 @@
+"""What certificates about cyclic SPSA prove, in the order of the paper."""
+
+from __future__ import annotations
+
+from ....statements import Statement
+from . import experiment, measurement, schedule, stability, theorem_1, theorem_2
+
+STATEMENTS: tuple[Statement, ...] = (
+    *stability.STATEMENTS,
+    *measurement.STATEMENTS,
+    *schedule.STATEMENTS,
+    *theorem_1.STATEMENTS,
+    *theorem_2.STATEMENTS,
+    *experiment.STATEMENTS,
+)

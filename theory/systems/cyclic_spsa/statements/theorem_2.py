@@ -1,0 +1,7 @@
+"""What certificates about Theorem 2 and its proof prove."""
+
+from __future__ import annotations
+
+from ....statements import Statement
+
+STATEMENTS: tuple[Statement, ...] = ()

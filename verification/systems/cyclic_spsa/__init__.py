@@ -1,0 +1,1 @@
+"""Proofs about cyclic SPSA."""
