@@ -13,8 +13,6 @@ from verification.systems import SYSTEMS as ROOMS
 NAMES = [system.name for system in SYSTEMS]
 WAITING: dict[str, set[str]] = {
     "cyclic_spsa": {
-        "claims",
-        "decisions",
         "questions",
         "page",
         "notebook",

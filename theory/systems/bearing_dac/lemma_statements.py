@@ -15,7 +15,8 @@ from ...algebra.graphs import (
 )
 from ...algebra.identities import Identity
 from ...statements import Case, Statement
-from .universal import Universal, needed
+from ...universal import needed
+from .universal import Universal
 
 PATHS = (
     "paths: in a connected graph the difference of any two nodes is a sum of differences along "

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from ....algebra.identities import Identity
 from ....statements import Statement
 from . import experiment, measurement, schedule, stability, theorem_1, theorem_2
 
@@ -13,3 +16,8 @@ STATEMENTS: tuple[Statement, ...] = (
     *theorem_2.STATEMENTS,
     *experiment.STATEMENTS,
 )
+
+PROOFS: Mapping[str, tuple[Identity, ...]] = {
+    entry.name: entry.proof for entry in measurement.UNIVERSAL
+}
+"""The identities that prove a universal statement, by its name."""

@@ -8,7 +8,7 @@ from typing import Any
 
 from sensortrack.networks import Network
 from theory.systems.bearing_dac.claim_statements import PROOFS
-from verification.certificates.make import certificate
+from verification.certificates.derivations import Derivations
 
 SYSTEM = "bearing_dac"
 Document = dict[str, Any]
@@ -19,26 +19,8 @@ def lettered(network: Network) -> Document:
     return network.to_data() | {"nodes": list(ascii_lowercase[: network.n])}
 
 
-def proof(name: str, case: str = "PROVED") -> Document:
-    """Certificate of a universal statement, whose witness is how theory derived it.
-
-    Parameters
-    ----------
-    name : str
-        Name of the statement.
-    case : str, optional
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    CertificateError
-        The checker refuses it.
-    """
-    witness = [{"kind": "derivation", **entry.to_data()} for entry in PROOFS[name]]
-    return certificate(SYSTEM, name, {}, witness, case)
+MADE = Derivations(SYSTEM, PROOFS)
+proof, proofs, disproof = MADE.proof, MADE.proofs, MADE.disproof
 
 
 def squares(*goals: str) -> list[Document]:
@@ -46,16 +28,6 @@ def squares(*goals: str) -> list[Document]:
     return [
         {"kind": "derivation", "squares": [[goal, "1", "1"]], "relations": []} for goal in goals
     ]
-
-
-def proofs(*names: str) -> dict[str, Document]:
-    """Certificates of proved universal statements, by the stems of their files."""
-    return {f"{SYSTEM}.{name}": proof(name) for name in names}
-
-
-def disproof(name: str) -> dict[str, Document]:
-    """Certificate of a universal statement that refutes a claim."""
-    return {f"{SYSTEM}.{name}": proof(name, "REFUTED")}
 
 
 def file_of(name: str, document: Document) -> dict[str, Document]:
