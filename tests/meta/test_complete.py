@@ -13,7 +13,6 @@ from verification.systems import SYSTEMS as ROOMS
 NAMES = [system.name for system in SYSTEMS]
 WAITING: dict[str, set[str]] = {
     "cyclic_spsa": {
-        "questions",
         "page",
         "notebook",
         "scenario",

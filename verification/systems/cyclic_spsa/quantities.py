@@ -4,6 +4,38 @@ from __future__ import annotations
 
 from verification.answers import Condition, Quantity
 
-QUANTITIES: tuple[Quantity, ...] = ()
+from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
+from .measurement_moments import MEASUREMENT, measurement_moments
+
+QUANTITIES: tuple[Quantity, ...] = (
+    Quantity(
+        "printed_interval",
+        "the set of steps that Theorem 1 prints",
+        INTERVAL,
+        printed_interval,
+        False,
+    ),
+    Quantity(
+        "printed_bound",
+        "bound (21) on the root-mean-square error, as printed",
+        ERROR,
+        printed_bound,
+        False,
+    ),
+    Quantity(
+        "corrected_bound",
+        "the bound that the proof of Theorem 1 gives once repaired",
+        ERROR,
+        corrected_bound,
+        False,
+    ),
+    Quantity(
+        "measurement_moments",
+        "[mean radial error, radial variance, tangential variance] of (13) at range 1",
+        MEASUREMENT,
+        measurement_moments,
+        False,
+    ),
+)
 
 CONDITIONS: tuple[Condition, ...] = ()

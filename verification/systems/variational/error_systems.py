@@ -11,7 +11,7 @@ that `theory` derives from the action, with the measured error x = e + chi put i
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -21,7 +21,6 @@ from theory.systems.variational.statements.common import EQUATION, SCHEME
 from verification.answers import Answer
 from verification.exact.definite import negative_vector
 from verification.exact.evaluate import Rows, at
-from verification.exact.spectral import Enclosure
 
 from .gains import definite_gains, positive_step
 from .steps import at_minus_one
@@ -71,16 +70,6 @@ def stable_question(values: Mapping[str, Any]) -> tuple[dict[str, Rows], Fractio
 def unbounded(count: int) -> Answer:
     """The answer where (20) is not stable: every noise reaches every error without bound."""
     return Answer(value=["inf"] * count, verdict="PROVED", notes=(UNSTABLE,))
-
-
-def listed(found: Sequence[Enclosure], notes: tuple[str, ...] = ()) -> Answer:
-    """A list of numbers as an answer, the certified bounds of each in a note."""
-    numbers = [entry.value for entry in found]
-    remarks = dict.fromkeys((*notes, *(entry.stage for entry in found if entry.stage)))
-    if any(entry.lower is None or entry.upper is None for entry in found):
-        return Answer(value=numbers, notes=tuple(remarks))
-    ends = "; ".join(f"{entry.lower} to {entry.upper}" for entry in found)
-    return Answer(value=numbers, verdict="PROVED", notes=(f"certified: {ends}", *remarks))
 
 
 def error_system(gains: Mapping[str, Rows], h: Fraction, exact: bool = True) -> ErrorSystem:

@@ -7,12 +7,13 @@ from fractions import Fraction
 from typing import Any
 
 from verification.answers import Answer
+from verification.enclosures import listed
 from verification.exact.evaluate import Rows
 from verification.exact.rationals import above, below, nearest
 from verification.exact.spectral import Enclosure
 from verification.exact.stationary import Ends, covariance, diagonal, enclosed_diagonals
 
-from .error_systems import error_system, listed, stable_question, unbounded
+from .error_systems import error_system, stable_question, unbounded
 
 EXACT_UP_TO = 6
 """Coordinates up to which the stationary covariance is solved in rationals."""

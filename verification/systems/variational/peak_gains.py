@@ -8,11 +8,12 @@ from typing import Any
 
 from theory.algebra.noncommuting import Form, inverse
 from verification.answers import Answer
+from verification.enclosures import listed
 from verification.exact.evaluate import Rows, at
 from verification.exact.peaks import Channel, peak
 from verification.exact.spectral import Enclosure
 
-from .error_systems import NOISY, STEP, listed, stable_question, unbounded
+from .error_systems import NOISY, STEP, stable_question, unbounded
 
 Polynomial = tuple[Form, Form, Form]
 """Coefficients of 1, z, z^2, or of 1, s, s^2."""
