@@ -87,7 +87,8 @@ def lines_of(
 def _lines_of(document: Mapping[str, Any], details: Mapping[str, Detail], proved: str) -> list[str]:
     question = document.get("quantity", document.get("condition"))
     lines = [f"{document['system']}.{question}"]
-    lines += [_line(name, _short(value)) for name, value in document["inputs"].items()]
+    given = {name: value for name, value in document["inputs"].items() if value is not None}
+    lines += [_line(name, _short(value)) for name, value in given.items()]
     lines.append("")
     if "quantity" in document:
         lines += _value_lines(document, proved)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from verification.answers import Condition, Quantity
 
+from .assumptions import COST, GIVEN, WANTED_C3, assumption_constants, decide_assumptions
 from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
 from .measurement_moments import MEASUREMENT, measurement_moments
 
@@ -36,6 +37,20 @@ QUANTITIES: tuple[Quantity, ...] = (
         measurement_moments,
         False,
     ),
+    Quantity(
+        "assumptions",
+        "[mu, M, c2, c3, c4, delta]: the sharp constants of Assumptions 1 to 5",
+        (*COST, WANTED_C3),
+        assumption_constants,
+        True,
+    ),
 )
 
-CONDITIONS: tuple[Condition, ...] = ()
+CONDITIONS: tuple[Condition, ...] = (
+    Condition(
+        "assumptions",
+        "mu, M, c2, c3, c4 and delta are constants of Assumptions 1 to 5",
+        (*COST, *GIVEN),
+        decide_assumptions,
+    ),
+)

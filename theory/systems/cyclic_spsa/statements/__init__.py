@@ -6,10 +6,11 @@ from collections.abc import Mapping
 
 from ....algebra.identities import Identity
 from ....statements import Statement
-from . import experiment, measurement, schedule, stability, theorem_1, theorem_2
+from . import assumptions, experiment, measurement, schedule, stability, theorem_1, theorem_2
 
 STATEMENTS: tuple[Statement, ...] = (
     *stability.STATEMENTS,
+    *assumptions.STATEMENTS,
     *measurement.STATEMENTS,
     *schedule.STATEMENTS,
     *theorem_1.STATEMENTS,

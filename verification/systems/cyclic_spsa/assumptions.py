@@ -1,0 +1,212 @@
+"""The sharp constants of Assumptions 1 to 5 for a user's costs, and whether given ones do.
+
+The costs are quadratic, (x - theta_t - xi_t)'H(x - theta_t - xi_t)/2, or only known to have a
+Hessian between low I and high I. Assumption 5 is taken as a proof needs it, with x on both sides:
+E(f_t(x) - f_(t-1)(x))^2 <= c3 |x - theta_(t-1)|^2 + c4 for every x.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from sensortrack.errors import InputError
+from verification.answers import Answer, Input
+from verification.certificates.make import certificate
+from verification.exact.evaluate import add, dot, identity, quadratic, scaled
+from verification.exact.rationals import above, nearest
+from verification.exact.semidefinite import split
+
+from .block_inputs import DRIFT, HESSIAN, NOISE, Block
+from .constants import (
+    LAW,
+    MOVED,
+    NAMES,
+    ONE_INSTANT,
+    bracketed,
+    constant_data,
+    cost_of,
+    drift_bounds,
+    largest_ratio,
+    matrix_item,
+    semidefinite_items,
+)
+from .cost_changes import Change, beyond, change_of, excess, gradient_power, offset
+from .hessian_bounds import BOUNDS, blocks_between, class_constants, of_bounds, proved_of_all
+
+WANTED_C3 = Input("c3", "number", "the c3 for which c4 is asked", optional=True)
+COST = (*HESSIAN, *BOUNDS, NOISE, DRIFT, LAW)
+GIVEN = tuple(Input(name, "number", f"the constant {name} of the assumptions") for name in NAMES)
+
+SUPREMA = (
+    "mu and M are the extreme eigenvalues of H, reached at theta + x along their vectors",
+    "c2 = tr(H Xi H) is E|grad f(theta)|^2 itself",
+    "below c3 = {least:.10g}, the largest eigenvalue of H(2 Xi + eta eta')H, no c4 is enough",
+    "c4 is the largest E(f_t(x) - f_(t-1)(x))^2 - c3 |x - theta_(t-1)|^2 over all x",
+    MOVED,
+)
+DOUBLED = "c3 is twice that: the smaller c3 is, the larger is c4 where the target moves"
+FREE = (
+    "Assumption 5 as printed has no x on its left: it holds with c3 = 0 and c4 = {:.10g}, which "
+    "bounds nothing that the proof uses"
+)
+NOT_SHARP = "neither a bound for all these costs nor broken by high |x|^2/2: c3 and c4 are bounds"
+
+
+def assumption_constants(values: Mapping[str, Any]) -> Answer:
+    """[mu, M, c2, c3, c4, delta], each as small (mu: as large) as the cost allows.
+
+    Parameters
+    ----------
+    values : mapping
+        ``h`` or ``H``, or ``low`` and ``high``; ``Xi`` (m^2), ``eta`` (m a sample), ``law``, and
+        ``c3`` where c4 is asked for another c3 than the default one.
+
+    Raises
+    ------
+    InputError
+        The Hessian is not positive definite, Xi is no covariance, or the law is not known or does
+        not fit Xi; the bounds on the Hessian are not 0 < low <= high; no c4 belongs to c3.
+
+    References
+    ----------
+    V. Erofeeva, O. Granichin, Assumptions 1 to 5; Theorem 2.
+    """
+    if values["low"] is not None or values["high"] is not None:
+        return of_bounds(values)
+    block, kurtosis = cost_of(values)
+    change, eye = change_of(block, kurtosis), identity(block.size)
+    top = largest_ratio(block.hessian, eye)
+    bottom = tuple(1 / x for x in reversed(largest_ratio(eye, block.hessian)))
+    least = largest_ratio(change.form, eye)
+    moves, wanted = any(block.drift), values["c3"]
+    c3 = least[1] * (2 if moves else 1) if wanted is None else wanted
+    c4, _, _ = offset(change, c3)
+    if c4 is None:
+        raise InputError("c3", f"{c3}", f"{above(least[1]):.10g} or more is needed for a c4")
+    sharp = least[0] if wanted is None and not moves else c3
+    power, (least_delta, delta) = gradient_power(block), drift_bounds(block)
+    lows = (bottom[0], top[0], power, sharp, c4, least_delta)
+    highs = (bottom[1], top[1], power, c3, c4, delta)
+    data = constant_data(block, kurtosis, (bottom[0], *highs[1:]))
+    notes = [text.format(least=nearest(least[1])) for text in SUPREMA]
+    notes += [DOUBLED] if moves and wanted is None else []
+    notes += [FREE.format(nearest(change.printed)), ONE_INSTANT]
+    return bracketed(lows, highs, _proved(data, change), notes)
+
+
+def decide_assumptions(values: Mapping[str, Any]) -> Answer:
+    """Decide whether given constants are constants of Assumptions 1 to 5 for this cost.
+
+    Parameters
+    ----------
+    values : mapping
+        The cost as for `assumption_constants`; ``mu``, ``M``, ``c2``, ``c3``, ``c4``, ``delta``.
+
+    Returns
+    -------
+    Answer
+        REFUTED names the first constant that is none; the margin is by how much it misses.
+
+    Raises
+    ------
+    InputError
+        As `assumption_constants`, or a constant is negative.
+    """
+    for name in NAMES:
+        if values[name] < 0:
+            raise InputError(name, f"{values[name]}", "a constant of 0 or more is needed")
+    constants = [values[name] for name in NAMES]
+    if values["low"] is None and values["high"] is None:
+        block, kurtosis = cost_of(values)
+        refuted = _refuted(block, kurtosis, constants)
+        if refuted is not None:
+            return refuted
+        data = constant_data(block, kurtosis, constants)
+        return Answer(verdict="PROVED", certificate=_proved(data, change_of(block, kurtosis)))
+    low, high, kurtosis = blocks_between(values)
+    for block in (low, high):
+        refuted = _refuted(block, kurtosis, constants)
+        if refuted is not None:
+            return refuted
+    needed = class_constants(low, high, kurtosis)
+    if any(given < need for given, need in zip(constants[3:5], needed[1], strict=True)):
+        return Answer(verdict="UNDECIDED", notes=(NOT_SHARP,))
+    return Answer(verdict="PROVED", certificate=proved_of_all(low, high, kurtosis, constants))
+
+
+def _proved(data: Mapping[str, Any], change: Change) -> dict[str, Any]:
+    hessian, eye = data["H"], identity(len(data["H"]))
+    low = split(add(hessian, scaled(data["mu"], eye), -1))
+    high = split(add(scaled(data["M"], eye), hessian, -1))
+    _, z, rest = offset(change, data["c3"])
+    factors = [item for parts in (low, high, rest) for item in semidefinite_items(parts)]
+    witness = [matrix_item(eye), *factors, matrix_item([[x] for x in z])]
+    return certificate("cyclic_spsa", "assumptions", data, witness)
+
+
+def _refuted(block: Block, kurtosis: Fraction, constants: Sequence[Fraction]) -> Answer | None:
+    """The answer that names the first constant that is none, if there is one."""
+    given, change = dict(zip(NAMES, constants, strict=True)), change_of(block, kurtosis)
+    found = _extreme(block, given) or _power(block, given) or _changes(block, change, given)
+    if found is None:
+        return None
+    name, vector, miss, text = found
+    witness = [matrix_item([[x] for x in vector])] if vector else []
+    data = constant_data(block, kurtosis, constants)
+    return Answer(
+        verdict="REFUTED",
+        certificate=certificate("cyclic_spsa", "assumptions", data, witness, f"REFUTED_{name}"),
+        margin=-nearest(miss),
+        notes=(f"{name}: {text}",),
+    )
+
+
+Failure = tuple[str, tuple[Fraction, ...], Fraction, str]
+"""The constant, a vector, by how much it misses there, and what is true instead."""
+
+
+def _extreme(block: Block, given: Mapping[str, Fraction]) -> Failure | None:
+    hessian, eye = block.hessian, identity(block.size)
+    for name, sign in (("mu", 1), ("M", -1)):
+        x = split(scaled(sign, add(hessian, scaled(given[name], eye), -1))).vector
+        if x is not None:
+            found = quadratic(x, hessian) / dot(x, x)
+            text = f"x'Hx/x'x = {nearest(found):.10g} at x = {_shown(x)}"
+            return name, x, abs(found - given[name]), text
+    return None
+
+
+def _power(block: Block, given: Mapping[str, Fraction]) -> Failure | None:
+    power = gradient_power(block)
+    if given["c2"] >= power:
+        return None
+    text = f"E|grad f(theta)|^2 = tr(H Xi H) = {nearest(power):.10g}"
+    return "c2", (), power - given["c2"], text
+
+
+def _changes(block: Block, change: Change, given: Mapping[str, Fraction]) -> Failure | None:
+    """The first of c3, c4 and delta that is no constant."""
+    c4, z, parts = offset(change, given["c3"])
+    if parts.vector is not None:
+        need = quadratic(z, change.form) / dot(z, z)
+        text = f"with less than {nearest(need):.10g}, no c4 is enough"
+        return "c3", z, need - given["c3"], text
+    if c4 is None:
+        y = beyond(change, given["c4"], z)
+        miss = excess(change, given["c3"], given["c4"], y)
+        return "c4", y, miss, "with exactly this c3, none is enough"
+    if given["c4"] < c4:
+        y = tuple(-x for x in z)
+        return "c4", y, c4 - given["c4"], f"with this c3, {nearest(c4):.10g} is needed"
+    square = dot(block.drift, block.drift)
+    if given["delta"] ** 2 < square:
+        text = f"|eta| = {math.sqrt(nearest(square)):.10g}"
+        return "delta", (), drift_bounds(block)[1] - given["delta"], text
+    return None
+
+
+def _shown(x: Sequence[Fraction]) -> str:
+    return "[" + ", ".join(f"{nearest(entry):.6g}" for entry in x) + "]"
