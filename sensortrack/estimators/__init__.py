@@ -2,6 +2,15 @@
 
 from .bearing_dac import BearingDac
 from .bearing_state import BearingState
+from .cyclic_spsa import CyclicSpsa, SpsaState, SpsaStatus
 from .variational import Variational, VariationalState
 
-__all__ = ["BearingDac", "BearingState", "Variational", "VariationalState"]
+__all__ = [
+    "BearingDac",
+    "BearingState",
+    "CyclicSpsa",
+    "SpsaState",
+    "SpsaStatus",
+    "Variational",
+    "VariationalState",
+]

@@ -12,9 +12,9 @@ static unsigned long differ(const trk_real *a, const trk_real *b, size_t count)
     unsigned long wrong = 0UL;
     size_t k;
     for (k = 0; k < count; k++) {
-        const int unknown = isnan(a[k]) && isnan(b[k]);
+        const int same = a[k] == b[k] || (isnan(a[k]) && isnan(b[k]));
         const trk_real off = a[k] > b[k] ? a[k] - b[k] : b[k] - a[k];
-        if (!unknown && !(off <= allowed[k])) {
+        if (!same && !(off <= allowed[k])) {
             wrong++;
         }
     }

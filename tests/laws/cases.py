@@ -8,8 +8,11 @@ from typing import Any
 import numpy as np
 
 from sensortrack.estimators.bearing_dac import BearingDac
+from sensortrack.estimators.cyclic_spsa import CyclicSpsa
 from sensortrack.estimators.variational import Variational
 from sensortrack.networks import Network
+from sensortrack.polar import PolarView, polar_to
+from sensortrack.schedules import Schedule
 from sensortrack.sensors import Bearing, View, bearings_to
 
 
@@ -35,6 +38,8 @@ class EstimatorCase:
         ``blinded(view, rng)``, what a sensor reports that does not see the target.
     rounding : float, optional
         Relative error that moved results may have.
+    period : callable, optional
+        ``period(estimator)``, from one sample to the next.
     """
 
     draw: Callable[[np.random.Generator], tuple[Any, list[list[Any]]]]
@@ -45,6 +50,7 @@ class EstimatorCase:
     renamed: Callable[..., tuple[Any, list[list[Any]]]]
     blinded: Callable[..., Any]
     rounding: float = 1e-9
+    period: Callable[[Any], Any] = lambda estimator: estimator.h
 
 
 def _draw(rng):
@@ -143,6 +149,41 @@ def _renamed_bearings(estimator, samples, names):
     return replace(estimator, network=network, positions=places), turned
 
 
+SOURCES = {"p": "a", "q": "b", "r": "c"}
+
+
+def _draw_polar(rng):
+    """Three targets in two blocks, each measured by a sensor of its own; a cycle and a half."""
+    schedule = Schedule([["q", "p"], ["r"]], SOURCES)
+    weights = dict(zip("pqr", rng.uniform(0.2, 1.0, size=3), strict=True))
+    places = dict(zip("abc", rng.normal(scale=9.0, size=(3, 2)), strict=True))
+    reading = "one" if rng.random() < 0.5 else "two"
+    estimator = CyclicSpsa(
+        schedule, weights, 0.1, 2.0, reading, int(rng.integers(2**60)), sigma_bearing=0.01
+    )
+    targets = dict(zip("pqr", rng.normal(size=(3, 2)), strict=True))
+    samples = []
+    for _ in range(7):
+        views = []
+        for target, sensor in SOURCES.items():
+            angle, distance = polar_to(targets[target], places[sensor])
+            noisy = float(angle + 0.01 * rng.normal()), float(distance) * rng.uniform(0.9, 1.1)
+            views.append(PolarView(sensor, target, *noisy, places[sensor]))
+        samples.append(views)
+    return estimator, samples
+
+
+def _shifted_polar(views, shift, time):
+    """Turns are not among the motions: perturbations lie along the axes."""
+    return [replace(view, position=np.asarray(view.position) + shift) for view in views]
+
+
+def _renamed_polar(estimator, samples, names):
+    sources = {target: names[sensor] for target, sensor in SOURCES.items()}
+    turned = [[replace(view, sensor=names[view.sensor]) for view in views] for views in samples]
+    return replace(estimator, schedule=Schedule(estimator.schedule.blocks, sources)), turned
+
+
 ESTIMATORS = {
     "bearing_dac": EstimatorCase(
         _draw_bearings,
@@ -153,6 +194,16 @@ ESTIMATORS = {
         _renamed_bearings,
         lambda view, _: Bearing(view.sensor, np.nan),
         1e-5,  # the tolerance of a step, over the least det P_x
+    ),
+    "cyclic_spsa": EstimatorCase(
+        _draw_polar,
+        lambda rng: rng.normal(size=2),
+        _shifted_polar,
+        lambda estimator, _: estimator,
+        lambda one, other, shift, _: [(one.positions + shift, other.positions)],
+        _renamed_polar,
+        lambda view, rng: replace(view, angle=np.nan, position=rng.normal(size=2)),
+        period=lambda _: 1,
     ),
     "variational": EstimatorCase(
         _draw,
@@ -187,16 +238,17 @@ class Frame:
 
 def _turned_vectors(names, numbers, rotation):
     """Vectors v to Rv, matrices A to RAR'; what has no index stays."""
+    axes = range(len(rotation))
     whole = dict(zip(names, numbers, strict=True))
     found = dict(whole)
     for name in {re.sub(r"_\d+$", "", key) for key in whole if re.search(r"_\d+$", key)}:
         if f"{name}_0" in whole:
-            column = rotation @ [whole[f"{name}_{i}"] for i in range(3)]
-            found |= {f"{name}_{i}": column[i] for i in range(3)}
+            column = rotation @ [whole[f"{name}_{i}"] for i in axes]
+            found |= {f"{name}_{i}": column[i] for i in axes}
         else:
-            upper = [[whole[f"{name}_{min(i, j)}{max(i, j)}"] for j in range(3)] for i in range(3)]
+            upper = [[whole[f"{name}_{min(i, j)}{max(i, j)}"] for j in axes] for i in axes]
             square = rotation @ np.array(upper) @ rotation.T
-            found |= {f"{name}_{i}{j}": square[i, j] for i in range(3) for j in range(i, 3)}
+            found |= {f"{name}_{i}{j}": square[i, j] for i in axes for j in axes if i <= j}
     return np.array([found[name] for name in whole])
 
 
@@ -218,11 +270,24 @@ def _turned_bearings(names, numbers, angle):
     return np.array([found[name] for name in whole])
 
 
+def _turned_polar(names, numbers, angle):
+    """Angles from the second axis fall; perturbations are vectors here, whatever their entries."""
+    found = dict(zip(names, numbers, strict=True))
+    if "z_1" in found:
+        return np.array([x - angle if name == "z_1" else x for name, x in found.items()])
+    return _turned_vectors(names, numbers, _turn_of(angle))
+
+
 FRAMES = {
     "bearing_dac": Frame(
         frozenset({"init", "step", "link_isotropic", "measure", "position"}),
         lambda rng: rng.uniform(0, 2 * np.pi),
         _turned_bearings,
+    ),
+    "cyclic_spsa": Frame(
+        frozenset({"init", "step", "first_cost", "second_cost", "update", "position"}),
+        lambda rng: rng.uniform(0, 2 * np.pi),
+        _turned_polar,
     ),
     "variational": Frame(
         frozenset({"init", "step", "leapfrog_step"}),
@@ -231,5 +296,5 @@ FRAMES = {
     ),
 }
 """The printed link of consensus is not among them: signs of entries depend on the axes."""
-CONDITION = {"bearing_dac": 1000.0, "variational": 1.0}
-"""How much a rounding may grow: up to 1/det_min for a position."""
+CONDITION = {"bearing_dac": 1000.0, "cyclic_spsa": 100.0, "variational": 1.0}
+"""How much a rounding may grow: up to 1/det_min for a position, up to 1/beta for a gradient."""

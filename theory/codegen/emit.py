@@ -14,7 +14,7 @@ from .selftest import c_program, python_program, vectors_header
 from .stepper import Stepper
 
 TARGETS = ("python", "numpy", "c", "casadi")
-STEPPERS = ("bearing_dac", "variational")
+STEPPERS = ("bearing_dac", "cyclic_spsa", "variational")
 """Systems whose laws are generated."""
 
 

@@ -97,9 +97,9 @@ _NEAR = [
     "    unsigned long wrong = 0UL;",
     "    size_t k;",
     "    for (k = 0; k < count; k++) {",
-    "        const int unknown = isnan(a[k]) && isnan(b[k]);",
+    "        const int same = a[k] == b[k] || (isnan(a[k]) && isnan(b[k]));",
     "        const trk_real off = a[k] > b[k] ? a[k] - b[k] : b[k] - a[k];",
-    "        if (!unknown && !(off <= allowed[k])) {",
+    "        if (!same && !(off <= allowed[k])) {",
     "            wrong++;",
     "        }",
     "    }",
@@ -195,7 +195,7 @@ _COUNT = [
 
 _COUNT_NEAR = [
     "def same(a, b, allowed):",
-    "    return abs(a - b) <= allowed or (math.isnan(a) and math.isnan(b))",
+    "    return a == b or abs(a - b) <= allowed or (math.isnan(a) and math.isnan(b))",
     "",
     "",
     "wrong, total = 0, 0",

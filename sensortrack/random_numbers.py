@@ -1,0 +1,101 @@
+"""Random numbers that are a function of a key and a counter: any draw can be made again by itself.
+
+Whoever draws names the number it wants (seed and stream in the key; run, update, place in the
+counter), so that the numbers of one run do not depend on how many runs there are, in which order
+they are worked on, or in which language. The words are those of `numpy.random.Philox`.
+
+References
+----------
+J. Salmon, M. Moraes, R. Dror, D. Shaw, *Parallel Random Numbers: As Easy as 1, 2, 3* (2011),
+Philox4x64 with ten rounds.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sensortrack.errors import InputError
+
+Words = NDArray[np.uint64]
+Floats = NDArray[np.float64]
+MASK = 2**64 - 1
+MULTIPLIERS = (0xD2E7470EE14C6C93, 0xCA5A826395121157)
+WEYL = (0x9E3779B97F4A7C15, 0xBB67AE8584CAA73B)
+ROUNDS = 10
+STREAMS = {"perturbation": 0, "batch": 1}
+"""Second word of the key: what the numbers are for."""
+
+Counter = tuple[int, int, int, int]
+
+
+def philox(counter: Counter, key: tuple[int, int]) -> Counter:
+    """Four words of 64 bits.
+
+    Parameters
+    ----------
+    counter : four int
+        Each from 0 to 2^64 - 1.
+    key : two int
+        Likewise.
+    """
+    a, b, c, d = counter
+    left, right = key
+    for _ in range(ROUNDS):
+        one, other = MULTIPLIERS[0] * a, MULTIPLIERS[1] * c
+        a, b, c, d = (
+            (other >> 64) ^ b ^ left,
+            other & MASK,
+            (one >> 64) ^ d ^ right,
+            one & MASK,
+        )
+        left, right = (left + WEYL[0]) & MASK, (right + WEYL[1]) & MASK
+    return a, b, c, d
+
+
+def words(counter: Counter, key: tuple[int, int], count: int) -> Words:
+    """The words of this counter and of those after it, `philox` block by block.
+
+    Parameters
+    ----------
+    counter : four int
+        The first; the next ones add to its first number, and carry.
+    key : two int
+    count : int
+        Words.
+
+    Returns
+    -------
+    array of uint64, shape (count,)
+    """
+    # NumPy counts up before it makes a block
+    first = sum(word << (64 * k) for k, word in enumerate(counter))
+    before = (first - 1) % 2**256
+    whole = sum(word << (64 * k) for k, word in enumerate(key))
+    found: Words = np.random.Philox(counter=before, key=whole).random_raw(count)
+    return found
+
+
+def signs(counter: Counter, key: tuple[int, int], count: int) -> list[int]:
+    """Independent signs, +1 or -1 with the same probability: bits of words, the lowest first."""
+    found: list[int] = []
+    low, *rest = counter
+    while len(found) < count:
+        for word in philox((low, rest[0], rest[1], rest[2]), key):
+            found += [1 if word >> bit & 1 else -1 for bit in range(64)]
+        low += 1
+    return found[:count]
+
+
+def whole_seed(name: str, value: object) -> int:
+    """A seed or a number for one word of a key or a counter.
+
+    Raises
+    ------
+    InputError
+        With this name: it is not a whole number from 0 to 2^64 - 1.
+    """
+    found = -1 if isinstance(value, bool) or not isinstance(value, int | np.integer) else int(value)
+    if not 0 <= found <= MASK:
+        raise InputError(name, f"{value}", "a whole number from 0 to 2^64 - 1 is needed")
+    return found
