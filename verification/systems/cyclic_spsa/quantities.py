@@ -5,10 +5,13 @@ from __future__ import annotations
 from verification.answers import Condition, Quantity
 
 from .assumptions import COST, GIVEN, WANTED_C3, assumption_constants, decide_assumptions
+from .block_inputs import BLOCK
 from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
 from .measurement_moments import MEASUREMENT, measurement_moments
+from .stability import step_limit
 
 QUANTITIES: tuple[Quantity, ...] = (
+    Quantity("step_limit", "supremum of alpha with mean-square stability", BLOCK, step_limit, True),
     Quantity(
         "printed_interval",
         "the set of steps that Theorem 1 prints",
