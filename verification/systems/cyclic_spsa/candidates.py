@@ -118,6 +118,43 @@ class Stacked:
                 shift = near if near > shift else shift
         return None
 
+    def multiplier(self, step: Fraction, bits: int) -> tuple[Fraction, Matrix] | None:
+        """The spectral radius r of one update and P with L(P) = rP, about, by inverse iteration.
+
+        The shift follows r from above, by twice the last change of its estimate.
+        """
+        import flint
+
+        spots = places(self.block.size)
+        own = [k for k, (i, j) in enumerate(spots) if i == j]
+        with flint.ctx.workprec(bits):
+            update = flint.arb_mat(self.update(step))
+            one = flint.arb_mat([[int(i == j) for j in spots] for i in spots])
+            vector = flint.arb_mat([[flint.arb(int(i == j))] for i, j in spots])
+            shift = max(sum(map(abs, row), start=flint.arb(0)).mid() for row in update.tolist())
+            radius = flint.arb(0)
+            for _ in range(STEPS):
+                found = _solved(one * shift - update, vector)
+                if found is None:
+                    return None
+                trace = sum((found[k, 0] for k in own), start=flint.arb(0)).mid()
+                before, radius = radius, (shift - len(own) / trace).mid()
+                vector = middle(found * (len(own) / trace).mid())
+                change = abs(radius - before)
+                if change <= abs(radius) * flint.arb(2) ** (16 - bits // 2):
+                    return exact(radius), _fractions(symmetric(vector, self.block.size))
+                near = (radius + 2 * change).mid()
+                shift = near if near < shift else shift
+        return None
+
+    def update(self, step: Fraction) -> Any:
+        """L, a `flint.fmpq_mat`."""
+        import flint
+
+        alpha, n = flint.fmpq(step.numerator, step.denominator), self.pull.nrows()
+        one = flint.fmpq_mat([[int(i == j) for j in range(n)] for i in range(n)])
+        return one - self.pull * alpha + self.kick * alpha**2
+
 
 def _solved(a: Any, b: Any) -> Any | None:
     """A^-1 b without radii; None where A is singular for these bits."""
@@ -159,6 +196,18 @@ def leading(block: Block) -> tuple[Fraction, Matrix, Matrix] | None:
     if first is None or second is None or not 0 < first[0] < math.inf:
         return None
     return Fraction(1 / first[0]), _exact(first[1]), _exact(second[1])
+
+
+def leading_multiplier(block: Block, step: Fraction) -> tuple[Fraction, Matrix] | None:
+    """The spectral radius r of one update and P with L(P) = rP, in doubles."""
+    operators, alpha = double_operators(block), float(step)
+    with np.errstate(all="ignore"):
+        found = _perron(
+            lambda p: p - alpha * operators.pull(p) + alpha**2 * operators.kick(p), block.size
+        )
+    if found is None or not 0 < found[0] < math.inf:
+        return None
+    return Fraction(found[0]), _exact(found[1])
 
 
 def _perron(step: Callable[[Floats], Floats], size: int) -> tuple[float, Floats] | None:

@@ -5,13 +5,21 @@ from __future__ import annotations
 from verification.answers import Condition, Quantity
 
 from .assumptions import COST, GIVEN, WANTED_C3, assumption_constants, decide_assumptions
-from .block_inputs import BLOCK
+from .block_inputs import ALPHA, BLOCK
 from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
 from .measurement_moments import MEASUREMENT, measurement_moments
-from .stability import step_limit
+from .radius import spectral_radius
+from .stability import decide_step, step_limit
 
 QUANTITIES: tuple[Quantity, ...] = (
     Quantity("step_limit", "supremum of alpha with mean-square stability", BLOCK, step_limit, True),
+    Quantity(
+        "spectral_radius",
+        "of the second-moment operator of one update",
+        (*BLOCK, ALPHA),
+        spectral_radius,
+        False,
+    ),
     Quantity(
         "printed_interval",
         "the set of steps that Theorem 1 prints",
@@ -50,6 +58,12 @@ QUANTITIES: tuple[Quantity, ...] = (
 )
 
 CONDITIONS: tuple[Condition, ...] = (
+    Condition(
+        "step",
+        "second moments of the error tend to zero at the step alpha",
+        (*BLOCK, ALPHA),
+        decide_step,
+    ),
     Condition(
         "assumptions",
         "mu, M, c2, c3, c4 and delta are constants of Assumptions 1 to 5",

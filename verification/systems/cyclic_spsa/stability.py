@@ -1,178 +1,27 @@
-"""Where mean-square stability of an update ends: the limit of the step, with a certificate."""
+"""Where mean-square stability of an update ends: answers with certificates."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from verification.answers import Answer
+from verification.answers import Answer, Detail
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows
-from verification.exact.rationals import above, below, nearest
-from verification.exact.roots import Algebraic
+from verification.exact.rationals import above, below
+from verification.input_kinds import positive
 
 from .block_inputs import Block, block_of
-from .candidates import Matrix, Stacked, leading
-from .witnesses import (
-    Item,
-    algebraic_limit,
-    around,
-    diagonal_decaying,
-    diagonal_kept,
-    diagonal_limit,
-    identity_of,
-    items,
-    kept_at,
-    kept_line,
-    rounded_decaying,
-    rounded_growing,
-)
+from .candidates import Stacked
+from .limits import BITS, MOST_STACKED, Limit, decaying_at, limit_of
+from .moments import noise_moments
+from .witnesses import around, identity_of, items, kept_at, rounded_growing
 
-MOST_STACKED = 16
-"""Coordinates up to which the equations are solved in many bits."""
-
-ALGEBRAIC = 4
-"""Coordinates up to which the limit is given as the root of a polynomial."""
-
-BITS = (128, 192, 320, 640, 1280)
-WIDTHS = tuple(Fraction(1, 10**k) for k in (12, 11, 10, 9, 8, 7, 6))
-DOUBLE_BITS = 40
 USABLE = 1e-6
 WIDE = "no narrower bracket from doubles: the data are too ill-scaled for so many coordinates"
-
-
-@dataclass(frozen=True)
-class Limit:
-    """Stable at and below `lower`, not at `upper` and above.
-
-    Parameters
-    ----------
-    lower, upper : Fraction
-        Doubles, except where `upper` is the limit itself.
-    exact : Algebraic or None
-        The limit.
-    decaying : Rows
-        Z for `lower`.
-    case : str
-        How the upper side is shown.
-    kept : tuple of Rows
-        P and Q, or x and Q, for `upper`.
-    """
-
-    lower: Fraction
-    upper: Fraction
-    exact: Algebraic | None
-    decaying: Rows
-    case: str
-    kept: tuple[Rows, Rows]
-
-    @property
-    def value(self) -> float:
-        """The double nearest to the limit, or the middle of the bracket."""
-        return self.exact.nearest if self.exact else nearest((self.lower + self.upper) / 2)
-
-    def witness(self, block: Block) -> list[Item]:
-        """In the order of the statement."""
-        z = self.decaying
-        return items((identity_of(block), z, around(block, z), *self.kept))
-
-
-def limit_of(block: Block) -> Limit | None:
-    """Find and prove the limit; None where no bracket of relative width 1e-6 is proved."""
-    if block.diagonal:
-        return _at_rational(block, diagonal_limit(block), diagonal_kept(block))
-    if block.size > MOST_STACKED:
-        return _from_doubles(block)
-    stacked = Stacked(block)
-    for bits in BITS:
-        found = stacked.kept(bits)
-        limit = None if found is None else _from_bits(stacked, *found, bits)
-        if limit is not None:
-            return limit
-    return None
-
-
-def _rational(x: Fraction) -> Algebraic:
-    return Algebraic((-x.numerator, x.denominator), x, x, nearest(x))
-
-
-def _under(x: Fraction) -> Fraction:
-    """The largest double below x."""
-    low = below(x)
-    return Fraction(low if Fraction(low) < x else math.nextafter(low, -math.inf))
-
-
-def _at_rational(
-    block: Block, limit: Fraction, kept: Rows, line: tuple[int, ...] = ()
-) -> Limit | None:
-    """The limit is known, and what is kept at it."""
-    lower = _under(limit)
-    z = _decaying(block, lower)
-    if z is None:
-        return None
-    first = tuple((Fraction(x),) for x in line) if line else kept
-    case = "PROVED line" if line else "PROVED exact"
-    return Limit(lower, limit, _rational(limit), z, case, (first, around(block, kept)))
-
-
-def _decaying(block: Block, step: Fraction) -> Rows | None:
-    """Z that shows decay at a step below the limit."""
-    if block.diagonal:
-        return rounded_decaying(block, diagonal_decaying(block, step), step)
-    stacked = Stacked(block)
-    for bits in BITS:
-        z = stacked.decaying(step, bits)
-        rows = None if z is None else rounded_decaying(block, z, step)
-        if rows is not None:
-            return rows
-    return None
-
-
-def _outer(x: tuple[int, ...]) -> Rows:
-    return tuple(tuple(Fraction(a * b) for b in x) for a in x)
-
-
-def _from_bits(stacked: Stacked, near: Fraction, p: Matrix, bits: int) -> Limit | None:
-    block = stacked.block
-    exact = algebraic_limit(stacked, near) if block.size <= ALGEBRAIC else None
-    if exact is not None and exact.low == exact.high:
-        kept = _kept_exactly(stacked, exact.low, p)
-        if kept is not None:
-            return _at_rational(block, exact.low, *kept)
-    slack = near / 2 ** (bits // 2)
-    lower, upper = _under(near - slack), -_under(-near - slack)
-    z, rows = _decaying(block, lower), rounded_growing(block, p, upper)
-    if z is None or rows is None:
-        return None
-    return Limit(lower, upper, exact, z, "PROVED", (rows, around(block, rows)))
-
-
-def _kept_exactly(
-    stacked: Stacked, limit: Fraction, near: Matrix
-) -> tuple[Rows, tuple[int, ...]] | None:
-    """What a rational limit keeps: the second moment of errors on a line, or a definite one."""
-    line = kept_line(stacked.block)
-    if line is not None and line[0] == limit:
-        return _outer(line[1]), line[1]
-    found = kept_at(stacked, limit, near)
-    return None if found is None else (found, ())
-
-
-def _from_doubles(block: Block) -> Limit | None:
-    found = leading(block)
-    if found is None:
-        return None
-    near, p, z = found
-    for width in WIDTHS:
-        lower, upper = (Fraction(nearest(near * (1 + side * width / 2))) for side in (-1, 1))
-        rows = rounded_decaying(block, z, lower, DOUBLE_BITS)
-        growing = None if rows is None else rounded_growing(block, p, upper, DOUBLE_BITS)
-        if rows is not None and growing is not None:
-            return Limit(lower, upper, None, rows, "PROVED", (growing, around(block, growing)))
-    return None
+TOO_CLOSE = "alpha is too close to the limit for so many coordinates"
 
 
 def step_limit(values: Mapping[str, Any]) -> Answer:
@@ -219,4 +68,105 @@ def step_limit(values: Mapping[str, Any]) -> Answer:
         upper=above(limit.upper),
         verdict="PROVED",
         certificate=document,
+        **_readings(block, limit),
     )
+
+
+OTHER = {1: "two", 2: "one"}
+
+
+def _readings(block: Block, limit: Limit, alpha: Fraction | None = None) -> dict[str, Any]:
+    """What changes with the other number of measurement instants."""
+    other = replace(block, instants=3 - block.instants)
+    if not any(map(any, (*noise_moments(block), *noise_moments(other)))):
+        return {}
+    found = limit_of(other)
+    if found is None or not (found.upper < limit.lower or limit.upper < found.lower):
+        return {}
+    word = OTHER[block.instants]
+    notes = [
+        f"the limit depends on the reading: with measurements of {word} it is {found.value:.6g}"
+    ]
+    if alpha is not None:
+        stable = alpha <= found.lower
+        if stable != (alpha <= limit.lower) and (stable or alpha >= found.upper):
+            verdict = "stable" if stable else "not stable"
+            notes = [f"the verdict depends on the reading: with {word}, alpha is {verdict}"]
+    ends = {"lower": below(found.lower), "upper": above(found.upper)}
+    data = {"reading": word, "value": found.value, **ends}
+    detail = Detail(data, ((f"limit, reading {word}", f"{found.value:.10g}"),))
+    return {"notes": tuple(notes), "more": {"other_reading": lambda: detail}}
+
+
+def decide_step(values: Mapping[str, Any]) -> Answer:
+    """Decide whether the second moments of the error tend to zero at the step alpha.
+
+    Parameters
+    ----------
+    values : mapping
+        The inputs of `block_inputs.BLOCK`, and ``alpha``.
+
+    Returns
+    -------
+    Answer
+        PROVED or REFUTED with a certificate, UNDECIDED beside the limit of a large full Hessian;
+        margin = limit - alpha.
+
+    Raises
+    ------
+    InputError
+        As `block_inputs.block_of`; alpha <= 0.
+    """
+    block, alpha = block_of(values), positive(values, "alpha", "a step")
+    limit = limit_of(block)
+    found = _at_step(block, alpha, limit)
+    if found is None:
+        return Answer(verdict="UNDECIDED", notes=(TOO_CLOSE,))
+    case, chosen = found
+    document = certificate(
+        "cyclic_spsa",
+        "step",
+        {**block.inputs(), "alpha": alpha},
+        items((identity_of(block), *chosen)),
+        case=case,
+    )
+    return Answer(
+        verdict=case.split()[0],
+        certificate=document,
+        margin=limit.value - float(alpha) if limit else None,
+        **(_readings(block, limit, alpha) if limit else {}),
+    )
+
+
+def _at_step(
+    block: Block, alpha: Fraction, limit: Limit | None
+) -> tuple[str, tuple[Rows, ...]] | None:
+    """Case and matrices of the statement at a step."""
+    if limit is not None and alpha >= limit.upper:
+        if limit.case == "PROVED":
+            return "REFUTED", limit.kept
+        return limit.case.replace("PROVED", "REFUTED"), (((limit.upper,),), *limit.kept)
+    if limit is not None and alpha <= limit.lower:
+        return "PROVED", (limit.decaying, around(block, limit.decaying))
+    return _beside(block, alpha)
+
+
+def _beside(block: Block, alpha: Fraction) -> tuple[str, tuple[Rows, ...]] | None:
+    """Case and matrices at a step so close to the limit that its bracket does not decide."""
+    z = decaying_at(block, alpha)
+    if z is not None:
+        return "PROVED", (z, around(block, z))
+    if block.size > MOST_STACKED:
+        return None
+    stacked = Stacked(block)
+    for bits in BITS:
+        near = stacked.kept(bits)
+        if near is None:
+            continue
+        kept = kept_at(stacked, alpha, near[1])
+        if kept is not None:
+            return "REFUTED exact", (((alpha,),), kept, around(block, kept))
+        rows = rounded_growing(block, near[1], alpha)
+        if rows is not None:
+            return "REFUTED", (rows, around(block, rows))
+    return None

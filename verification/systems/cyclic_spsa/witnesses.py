@@ -35,6 +35,18 @@ def grows(block: Block, p: Rows, step: Fraction) -> bool:
     return congruence(p) is not None and congruence(rows_of(rest)) is not None
 
 
+def multiplies(block: Block, p: Rows, step: Fraction, low: Fraction, high: Fraction) -> bool:
+    """Whether P, L(P) - low P and high P - L(P) are positive definite.
+
+    Then the spectral radius of L, which keeps semidefinite matrices so, is between low and high.
+    """
+    operators, matrix = exact_operators(block), fmpq(p)
+    alpha = _flint(step)
+    image = matrix - operators.pull(matrix) * alpha + operators.kick(matrix) * alpha**2
+    forms = (matrix, image - matrix * _flint(low), matrix * _flint(high) - image)
+    return all(congruence(rows_of(form)) is not None for form in forms)
+
+
 def _flint(x: Fraction) -> Any:
     import flint
 
@@ -150,10 +162,17 @@ def _integers(matrix: list[list[Any]]) -> Rows:
 
 
 def algebraic_limit(stacked: Stacked, near: Fraction) -> Algebraic | None:
-    """The limit as a root of det(pull - alpha kick), about 1e-9 from `near`."""
-    ratio = stacked.pull.inv() * stacked.kick
-    polynomial = ratio.charpoly()
-    coefficients = [int(c) for c in polynomial.numer().coeffs()][::-1]
+    """The limit as a root of det(pull - alpha kick), at most 1e-9 from `near`."""
+    return _root((stacked.pull.inv() * stacked.kick).charpoly(), near, -1)
+
+
+def algebraic_radius(stacked: Stacked, step: Fraction, near: Fraction) -> Algebraic | None:
+    """The spectral radius as a root of det(r - L), at most 1e-9 from `near`."""
+    return _root(stacked.update(step).charpoly(), near, 1)
+
+
+def _root(polynomial: Any, near: Fraction, order: int) -> Algebraic | None:
+    coefficients = [int(c) for c in polynomial.numer().coeffs()][::order]
     slack = Fraction(1, 10**9)
     return root_between(coefficients, near * (1 - slack), near * (1 + slack))
 
