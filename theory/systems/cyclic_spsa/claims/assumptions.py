@@ -15,3 +15,15 @@ QUADRANTS = Assumption(
 )
 NOT_AT_SENSOR = Assumption("M3", "the target is not at the sensor")
 FIRST_ORDER = Assumption("M4", "errors are so small that terms of second order do not count")
+WHOLE_NUMBERS = Assumption("S1", "cycles T = 1, 2, ... of k pairs of instants, t = 1, 2, ...")
+ACTIVE_SUM = Assumption("S2", "the sum of (20) runs over the active targets only")
+OBSERVED_SUM = Assumption("S3", "the sum of (20) runs over all targets that the sensor observes")
+WHOLE_SUM = Assumption("S4", "(20) has both coordinates of every target of which one is active")
+DRIFTING = Assumption("S5", "the targets move at a constant velocity that is not zero")
+EXACT_SIGHT = Assumption("S6", "angle and distance are measured without error")
+SEEN = Assumption(
+    "S7", "the sensor or a neighbour sees each of its targets, and m_max is at least 1"
+)
+COUNTED = Assumption(
+    "S8", "a pair of steps takes a operations for each active coordinate, b besides"
+)

@@ -19,6 +19,6 @@ STATEMENTS: tuple[Statement, ...] = (
 )
 
 PROOFS: Mapping[str, tuple[Identity, ...]] = {
-    entry.name: entry.proof for entry in measurement.UNIVERSAL
+    entry.name: entry.proof for entry in (*measurement.UNIVERSAL, *schedule.UNIVERSAL)
 }
 """The identities that prove a universal statement, by its name."""
