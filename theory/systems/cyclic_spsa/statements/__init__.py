@@ -19,6 +19,8 @@ STATEMENTS: tuple[Statement, ...] = (
 )
 
 PROOFS: Mapping[str, tuple[Identity, ...]] = {
-    entry.name: entry.proof for entry in (*measurement.UNIVERSAL, *schedule.UNIVERSAL)
+    entry.name: entry.proof
+    for part in (measurement, schedule, theorem_1, theorem_2)
+    for entry in part.UNIVERSAL
 }
 """The identities that prove a universal statement, by its name."""

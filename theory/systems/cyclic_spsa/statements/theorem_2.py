@@ -3,5 +3,8 @@
 from __future__ import annotations
 
 from ....statements import Statement
+from ..universal import Universal
+
+UNIVERSAL: tuple[Universal, ...] = ()
 
 STATEMENTS: tuple[Statement, ...] = ()

@@ -1,0 +1,305 @@
+"""The repaired Theorem 1, step by step, as inequalities that are sums of squares.
+
+Letters are vectors of any inner product space: vectors of numbers, or random vectors of finite mean
+square, whose inner product is E x'y. Lengths are taken out of them, so that nothing is divided:
+before the update theta_hat - theta_t is length e with e'e = 1, the drift of the last sample is
+delta w with w'w <= 1, and what Taylor's formula leaves of the mean step is rest z with z'z <= 1.
+``half`` is 1/(2 beta), and ``root_d`` the root of d.
+
+The constants gamma, m, b and l are those of `bounds.PROVED`.
+
+References
+----------
+V. Erofeeva, O. Granichin, Theorem 1, whose proof is not in the paper.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from ...algebra.identities import ONE, Identity, Square
+from ...algebra.noncommuting import Form, letters, scalars
+from ...algebra.rewriting import derive, reduce, rules
+from ...expressions import Tree
+from .bounds import PROVED, Bound
+
+HALF = Fraction(1, 2)
+alpha, beta, delta, mu, M, d = scalars("alpha beta delta mu M d")
+root_d, half, rate, length, rest = scalars("root_d half rate length rest")
+c2, c3, c4, c_v2 = scalars("c2 c3 c4 c_v2")
+slack = scalars("s1 s2 s3 s4")
+
+POSITIVE = "alpha beta mu M d root_d half rate scale inverse"
+NONNEGATIVE = (
+    "delta length rest c2 c3 c4 c_v2 s1 s2 s3 s4 over more noise "
+    "rho lag keep tilt level loss slope x y z gamma m b l root_q"
+)
+SYMBOLS: dict[str, str] = {
+    **dict.fromkeys(POSITIVE.split(), "positive"),
+    **dict.fromkeys(NONNEGATIVE.split(), "nonnegative"),
+    **dict.fromkeys(("e", "w", "p", "q", "late", "early"), "vector: n"),
+    **dict.fromkeys(("A", "B", "C", "size", "one", "steep"), "vector: n"),
+    "Q": "matrix: n",
+    "S": "positive semidefinite: n",
+}
+ROOT = root_d * root_d - d
+HALVED = 2 * half * beta - ONE
+ROOT_WORD, HALVED_WORD = "root_d**2", "beta half"
+
+
+def squared(vector: Form) -> Form:
+    """x'x."""
+    return vector.T * vector
+
+
+def paired(left: Form, right: Form) -> Form:
+    """x'y, written so that it equals its transpose."""
+    return HALF * (left.T * right + right.T * left)
+
+
+def term(factor: Form) -> Square:
+    """What is not negative by itself."""
+    return Square(factor, ONE, ONE)
+
+
+def square(factor: Form, vector: Form, weight: Form = ONE) -> Square:
+    """factor x'Px."""
+    return Square(factor, vector, weight)
+
+
+def without_root(form: Form) -> Form:
+    """The form with d for the square of root_d."""
+    _, left = reduce(form, (ROOT,), rules((ROOT,), {0: ROOT_WORD}))
+    return left
+
+
+def polynomial(tree: Tree, values: Mapping[str, Form]) -> Form:
+    """A formula of `bounds` in letters: 1/beta is 2 half, 1/alpha is rate.
+
+    Raises
+    ------
+    ValueError
+        It divides by something else.
+    """
+    match tree:
+        case ("number", value):
+            return ONE * int(value)
+        case ("name", name):
+            return values[name]
+        case ("power", base, exponent):
+            product = ONE
+            for _ in range(exponent):
+                product = product * polynomial(base, values)
+            return product
+        case ("+" | "-" | "*" | "/" as sign, left, right):
+            first, second = polynomial(left, values), polynomial(right, values)
+            if sign == "/":
+                return first * _reciprocal(second)
+            return first * second if sign == "*" else first + (second if sign == "+" else -second)
+    raise ValueError(f"{tree[0]} is no arithmetic of scalars")
+
+
+def _reciprocal(form: Form) -> Form:
+    ((powers, word), a), *more = form.terms.items()
+    known = {"beta": 2 * half, "alpha": rate}
+    if more or word or not {name for name, _ in powers} <= {*known}:
+        raise ValueError(f"1/({form}): a power of beta or alpha is needed")
+    product = ONE * (1 / a)
+    for name, power in powers:
+        for _ in range(power):
+            product = product * known[name]
+    return product
+
+
+def constants(bound: Bound, values: Mapping[str, Form]) -> dict[str, Form]:
+    """gamma, m, b, l and what stands between them, as polynomials."""
+    found = dict(values)
+    for line in (*bound.limit[:1], *bound.lines):
+        found[line.name] = polynomial(line.tree, found)
+    return found
+
+
+LETTERS: dict[str, Form] = {
+    "alpha": alpha, "beta": beta, "delta": delta, "mu": mu, "M": M, "d": d, "root_d": root_d,
+    "c2": c2, "c3": c3, "c4": c4, "c_v2": c_v2, "k": ONE, "root_k": ONE,
+}  # fmt: skip
+
+
+def pull_bound() -> Form:
+    """-2 e'EG is at most this."""
+    along = (2 * mu + M) * delta + 2 * rest
+    return along * length + M * delta * delta - 2 * mu * length * length
+
+
+def push_bound() -> Form:
+    """E|G|^2 is at most this."""
+    reach = length + beta * root_d
+    inner = 2 * d * c2 + 2 * d * M * M * reach * reach
+    return 3 * d * (inner + half * half * (c3 * _apart() + c4 + c_v2))
+
+
+def _apart() -> Form:
+    """Bound on the square of what the first cost is taken at less its minimum."""
+    return (length + delta) * (length + delta) + beta * beta * d
+
+
+def mean_step() -> Identity:
+    """(i) -2 e'EG is at most `pull_bound`.
+
+    EG is the mean of the gradients at the two instants, late and early, and rest z; As1 holds at
+    both, and early is M Q(e + eta) with Q'Q <= 1.
+    """
+    e, w, p, late, early, turn, loss = letters("e w p late early Q S", ("S",))
+    s1, s2, s3, s4 = slack
+    moved = length * e + delta * w
+    relations = (
+        squared(e) - ONE,
+        squared(w) - ONE + s1,
+        squared(p) - ONE + s2,
+        length * (e.T * late) - mu * length * length - s3,
+        moved.T * early - mu * squared(moved) - s4,
+        early - M * turn * moved,
+        turn.T * turn + loss - ONE,
+    )
+    found = ("e' e", "w' w", "p' p", "length e' late", "length e' early", "early", "Q' Q")
+    goal = pull_bound() + length * paired(e, late + early) + 2 * rest * length * paired(e, p)
+    cross, own = HALF * (M * delta * length), HALF * (M * delta * delta)
+    squares = (
+        term(s3),
+        term(s4),
+        square(mu * delta * length, e + w),
+        term(mu * delta * length * s1),
+        square(mu * delta * delta, w),
+        square(rest * length, e + p),
+        term(rest * length * s2),
+        square(cross, w - turn * e),
+        term(cross * s1),
+        square(cross, e, loss),
+        square(own, w - turn * w),
+        term(2 * own * s1),
+        square(own, w, loss),
+    )
+    return derive("mean step", goal, relations, dict(enumerate(found)), squares)
+
+
+def mean_square() -> Identity:
+    """(ii) E|G|^2 is at most `push_bound`.
+
+    The difference of the two costs is A + B + C: A from the perturbation, at most
+    2 beta root_d (|grad f(theta_t)| + M(|e| + beta root_d)), B from one sample to the next, by As5
+    for every x, and C from the additive noise.
+    """
+    a, b, c, size, one, steep = letters("A B C size one steep")
+    s1, s2, s3, s4 = slack
+    spread = M * (length * size + beta * root_d * one)
+    relations = (
+        HALVED,
+        squared(a) - 4 * beta * beta * d * squared(steep + spread) + s1,
+        squared(b) - c3 * _apart() - c4 + s2,
+        squared(c) - c_v2 + s3,
+        squared(steep) - c2 + s4,
+        squared(size) - ONE,
+        squared(one) - ONE,
+        ROOT,
+    )
+    found = (HALVED_WORD, "A' A", "B' B", "C' C", "steep' steep", "size' size", "one' one")
+    share = d * half * half
+    squares = (
+        square(share, a - b),
+        square(share, b - c),
+        square(share, c - a),
+        *(term(3 * share * entry) for entry in (s1, s2, s3)),
+        square(3 * d * d, steep - spread),
+        term(6 * d * d * s4),
+        square(6 * d * d * M * M * length * beta * root_d, size - one),
+    )
+    words = dict(enumerate((*found, ROOT_WORD)))
+    return derive(
+        "mean square", push_bound() - share * squared(a + b + c), relations, words, squares
+    )
+
+
+def recursion() -> Identity:
+    """(iii) |e|^2 + alpha (i) + alpha^2 (ii) is (1 - alpha m)|e|^2 + 2 alpha b|e| + alpha l."""
+    gamma, m, b, low = scalars("gamma m b l")
+    made = constants(PROVED, LETTERS | {"gamma": gamma})
+    relations = (
+        HALVED,
+        ROOT,
+        gamma - made["gamma"],
+        m - 2 * (mu - alpha * gamma),
+        b - made["b"],
+        low - made["l"],
+        rest - HALF * (M * beta * d * root_d),
+    )
+    step = length * length + alpha * pull_bound() + alpha * alpha * push_bound()
+    promised = (ONE - alpha * m) * length * length + 2 * alpha * b * length + alpha * low
+    words = {2: "gamma", 3: "m", 4: "b", 5: "l", 6: "rest", 0: HALVED_WORD, 1: ROOT_WORD}
+    words = {k: words[k] for k in (3, 4, 5, 6, 2, 0, 1)}
+    return derive("recursion", step - promised, relations, words)
+
+
+def above_the_fixed_point() -> tuple[Identity, ...]:
+    """(iv) rho^2 = keep (rho + lag)^2 + tilt (rho + lag) + level attracts from above.
+
+    For an error rho + x, x >= 0, the square of the next one is lower by loss x^2 + 2 slope x, so
+    that the sum of all x^2 is finite; from an error at or below rho, no error gets above it; and
+    drift by lag adds at most lag to a root of a mean square.
+    """
+    rho, lag, keep, tilt, level = scalars("rho lag keep tilt level")
+    loss, slope, x, y, z = scalars("loss slope x y z")
+    p, q = letters("p q")
+
+    def after(error: Form) -> Form:
+        return keep * (error + lag) * (error + lag) + tilt * (error + lag) + level
+
+    relations = (
+        rho * rho - after(rho),
+        keep + loss - ONE,
+        slope - loss * (rho + lag) + lag + HALF * tilt,
+        rho - y - z,
+        squared(p) - ONE,
+        squared(q) - ONE,
+    )
+    high = (rho + x) * (rho + x)
+    above = derive(
+        "above",
+        high - after(rho + x) - loss * x * x - 2 * slope * x,
+        relations,
+        {0: "level", 1: "keep", 2: "slope"},
+    )
+    below = derive(
+        "below",
+        rho * rho - after(z),
+        relations,
+        {0: "level", 3: "rho"},
+        (term(keep * y * (2 * lag + 2 * z + y)), term(tilt * y)),
+    )
+    drift = derive(
+        "drift",
+        (rho + lag) * (rho + lag) - squared(rho * p + lag * q),
+        relations,
+        {4: "p' p", 5: "q' q"},
+        (square(rho * lag, p - q),),
+    )
+    return above, below, drift
+
+
+def root() -> Identity:
+    """(v) The bound of `bounds.PROVED` is that fixed point.
+
+    With m (rho + lag) = b + lag/alpha + W and W^2 = b^2 + m l + 2 b lag/alpha + (lag/alpha)^2
+    (1 - alpha m), rho^2 is (1 - alpha m)(rho + lag)^2 + 2 alpha b (rho + lag) + alpha l.
+    """
+    rho, lag, m, b, low, w = scalars("rho lag m b l root_q")
+    pace = rate * lag
+    reach = rho + lag
+    relations = (
+        m * reach - b - pace - w,
+        w * w - b * b - m * low - 2 * b * pace - pace * pace * (ONE - alpha * m),
+        alpha * rate - ONE,
+    )
+    kept = (ONE - alpha * m) * reach * reach + 2 * alpha * b * reach + alpha * low
+    words = {0: "m rho", 1: "root_q**2", 2: "alpha rate"}
+    return derive("root", m * (rho * rho - kept), relations, words)

@@ -1,0 +1,39 @@
+"""What Theorem 1 promises, in rationals: roots are rounded up, which only weakens a promise."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+
+from theory.systems.cyclic_spsa.bounds import PRINTED, Bound, table
+
+UNIT = 10**8
+ONES, ZEROS = ("d", "k", "mu", "M"), ("delta", "c2", "c3", "c4", "c_v2")
+
+
+def root_above(x: Fraction) -> Fraction:
+    """The square root of a number that is not negative, rounded up to eight decimals."""
+    scaled = math.ceil(x * UNIT**2)
+    root = math.isqrt(scaled)
+    return Fraction(root + (root * root < scaled), UNIT)
+
+
+def promised(given: Mapping[str, Fraction | int], bound: Bound = PRINTED) -> dict[str, Fraction]:
+    """Every line of a bound.
+
+    Parameters
+    ----------
+    given : mapping of str to Fraction or int
+        alpha, beta and those of the other constants that are not 1 (d, k, mu, M) or 0 (delta, c2,
+        c3, c4, c_v2).
+    bound : Bound, optional
+
+    Returns
+    -------
+    dict of str to Fraction
+        The constants and every line; ``bound`` is not below what is promised.
+    """
+    known = dict.fromkeys(ONES, 1) | dict.fromkeys(ZEROS, 0) | dict(given)
+    exact = {name: Fraction(value) for name, value in known.items()}
+    return {name: Fraction(value) for name, value in table(bound, exact, root_above).items()}
