@@ -15,7 +15,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import lcm
+from typing import TypeVar
 
+T = TypeVar("T")
 VISITS = 100_000
 """Choices that are looked at before a search stops without a proof."""
 
@@ -267,37 +269,23 @@ class _BlockSearch:
             sizes[u] -= 1
 
 
-@dataclass(frozen=True)
-class Piece:
-    """A schedule and the sample from which on it holds.
+def pieces(choices: Sequence[T], key: Callable[[T], object]) -> list[tuple[int, T]]:
+    """The choices of successive samples, joined where they do not change.
 
     Parameters
     ----------
-    start : int
-    sources : Sources
+    choices : sequence
+        One a sample, for B_t and C_t of that sample.
+    key : callable
+        Two choices are the same where this is.
+
+    Returns
+    -------
+    list of (int, choice)
+        From which sample on a choice holds.
     """
-
-    start: int
-    sources: Sources
-
-
-def over_time(choose: Callable[[int], Sources], samples: int) -> tuple[Piece, ...]:
-    """The choice at every sample, joined where it does not change.
-
-    Parameters
-    ----------
-    choose : callable
-        Sample to the choice at it, for B_t and C_t of that sample.
-    samples : int
-        At least 1.
-    """
-    pieces: list[Piece] = []
-    for t in range(samples):
-        found = choose(t)
-        same = pieces and (found.neighbours, found.sources) == (
-            pieces[-1].sources.neighbours,
-            pieces[-1].sources.sources,
-        )
-        if not same:
-            pieces.append(Piece(t, found))
-    return tuple(pieces)
+    found: list[tuple[int, T]] = []
+    for t, choice in enumerate(choices):
+        if not found or key(choice) != key(found[-1][1]):
+            found.append((t, choice))
+    return found

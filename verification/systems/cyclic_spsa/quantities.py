@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from verification.answers import Condition, Quantity
 
-from .assumptions import COST, GIVEN, WANTED_C3, assumption_constants, decide_assumptions
+from . import own_questions
 from .block_inputs import ALPHA, BLOCK
 from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
 from .measurement_moments import MEASUREMENT, measurement_moments
@@ -48,13 +48,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         measurement_moments,
         False,
     ),
-    Quantity(
-        "assumptions",
-        "[mu, M, c2, c3, c4, delta]: the sharp constants of Assumptions 1 to 5",
-        (*COST, WANTED_C3),
-        assumption_constants,
-        True,
-    ),
+    *own_questions.QUANTITIES,
 )
 
 CONDITIONS: tuple[Condition, ...] = (
@@ -64,10 +58,5 @@ CONDITIONS: tuple[Condition, ...] = (
         (*BLOCK, ALPHA),
         decide_step,
     ),
-    Condition(
-        "assumptions",
-        "mu, M, c2, c3, c4 and delta are constants of Assumptions 1 to 5",
-        (*COST, *GIVEN),
-        decide_assumptions,
-    ),
+    *own_questions.CONDITIONS,
 )

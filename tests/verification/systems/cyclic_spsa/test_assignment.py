@@ -10,7 +10,7 @@ from verification.systems.cyclic_spsa.assignment import (
     balanced_blocks,
     best_sources,
     nearest_sources,
-    over_time,
+    pieces,
 )
 
 VARIANCES = st.none() | st.integers(1, 12).map(lambda k: Fraction(k, 3))
@@ -117,6 +117,7 @@ def test_pieces_begin_where_the_choice_changes():
         False: [[Fraction(1), None], [Fraction(9), Fraction(1)]],
         True: [[None, Fraction(2)], [Fraction(9), Fraction(1)]],
     }
-    pieces = over_time(lambda t: best_sources(0, tables_of[t >= 3], [1], 1), 6)
-    assert [piece.start for piece in pieces] == [0, 3]
-    assert [dict(piece.sources.sources) for piece in pieces] == [{0: 0, 1: 1}, {0: 1, 1: 1}]
+    choices = [best_sources(0, tables_of[t >= 3], [1], 1) for t in range(6)]
+    found = pieces(choices, lambda choice: dict(choice.sources))
+    assert [start for start, _ in found] == [0, 3]
+    assert [dict(choice.sources) for _, choice in found] == [{0: 0, 1: 1}, {0: 1, 1: 1}]

@@ -6,11 +6,21 @@ from collections.abc import Mapping
 
 from ....algebra.identities import Identity
 from ....statements import Statement
-from . import assumptions, experiment, measurement, schedule, stability, theorem_1, theorem_2
+from . import (
+    assumptions,
+    experiment,
+    measurement,
+    network,
+    schedule,
+    stability,
+    theorem_1,
+    theorem_2,
+)
 
 STATEMENTS: tuple[Statement, ...] = (
     *stability.STATEMENTS,
     *assumptions.STATEMENTS,
+    *network.STATEMENTS,
     *measurement.STATEMENTS,
     *schedule.STATEMENTS,
     *theorem_1.STATEMENTS,
