@@ -48,6 +48,32 @@ class Helix:
 
 
 @dataclass(frozen=True)
+class Weaving:
+    """Nearly constant velocity: v(t) = velocity + swing sin(2 pi t/period)."""
+
+    start_m: Vector
+    velocity_mps: Vector
+    swing_mps: Vector
+    period_s: float
+
+    def at(self, time: Floats) -> tuple[Floats, Floats]:
+        """Positions in m and velocities in m/s at times in s, one row a time.
+
+        Raises
+        ------
+        InputError
+            The period is not above 0.
+        """
+        if not self.period_s > 0:
+            raise InputError("target.period_s", f"{self.period_s}", "a time above 0 is needed")
+        start, mean, swing = map(np.array, (self.start_m, self.velocity_mps, self.swing_mps))
+        turn = 2 * np.pi / self.period_s
+        angle = turn * time[:, None]
+        away = swing * (1 - np.cos(angle)) / turn
+        return start + mean * time[:, None] + away, mean + swing * np.sin(angle)
+
+
+@dataclass(frozen=True)
 class Track:
     """A recorded track: cubic between fixes without overshoot (PCHIP), velocity its derivative."""
 
@@ -77,5 +103,32 @@ class Track:
         return np.asarray(path(wanted)), np.asarray(path.derivative()(wanted))
 
 
-Target = Line | Helix | Track
-KINDS: Mapping[str, Callable[..., Target]] = {"line": Line, "helix": Helix, "track": Track}
+Single = Line | Helix | Weaving | Track
+
+
+@dataclass(frozen=True)
+class Several:
+    """Targets that move at the same time, each with its name."""
+
+    names: tuple[str, ...]
+    members: tuple[Single, ...]
+
+    def at(self, time: Floats) -> tuple[Floats, Floats]:
+        """Positions in m and velocities in m/s, times by targets by coordinates.
+
+        Raises
+        ------
+        InputError
+            As the members do.
+        """
+        places, rates = zip(*(member.at(time) for member in self.members), strict=True)
+        return np.stack(places, axis=1), np.stack(rates, axis=1)
+
+
+Target = Single | Several
+KINDS: Mapping[str, Callable[..., Single]] = {
+    "line": Line,
+    "helix": Helix,
+    "weaving": Weaving,
+    "track": Track,
+}

@@ -35,6 +35,20 @@ class KalmanState:
     covariance: Floats
 
 
+def constant_velocity(h: float, acceleration: float) -> tuple[Floats, Floats]:
+    """Transition and process noise of position and velocity of one coordinate over a period.
+
+    Parameters
+    ----------
+    h : float
+        In s.
+    acceleration : float
+        Intensity of the white acceleration in m/s^2 per square root of Hz.
+    """
+    move = np.array([[1.0, h], [0.0, 1.0]])
+    return move, acceleration**2 * np.array([[h**3 / 3, h**2 / 2], [h**2 / 2, h]])
+
+
 @dataclass(frozen=True)
 class Kalman:
     """Filter on the weighted mean of the measurements.
@@ -83,9 +97,7 @@ class Kalman:
 
     def step(self, state: KalmanState, seen: Average) -> KalmanState:
         """Predict, and correct if a sensor sees the target (Joseph form)."""
-        h = self.h
-        move = np.array([[1.0, h], [0.0, 1.0]])
-        spread = self.acceleration**2 * np.array([[h**3 / 3, h**2 / 2], [h**2 / 2, h]])
+        move, spread = constant_velocity(self.h, self.acceleration)
         mean, covariance = move @ state.mean, move @ state.covariance @ move.T + spread
         if seen.position is None or seen.velocity is None:
             return KalmanState(mean, covariance)

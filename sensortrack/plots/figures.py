@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .style import COLOURS, style
+from .several import several_figures
+from .style import COLOURS, axes_of, style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -49,6 +50,8 @@ def save_run(run: Record, folder: Path) -> list[Path]:
 
 def _chosen(run: Record) -> Mapping[str, Callable[[Record], Figure]]:
     """The figures that say something about a run."""
+    if "targets" in run:
+        return several_figures(run)
     own = next(entry for entry in run["estimates"] if entry["name"] == run["system"])
     blind = () if np.isfinite(_array(own["velocity"])).any() else VELOCITIES
     levels = dict.fromkeys(entry["quantity"] for entry in run.get("levels", ()))
@@ -57,22 +60,13 @@ def _chosen(run: Record) -> Mapping[str, Callable[[Record], Figure]]:
     }
 
 
-def _axes(**options: Any) -> tuple[Figure, Axes]:
-    from matplotlib.backends.backend_svg import FigureCanvasSVG
-    from matplotlib.figure import Figure
-
-    figure = Figure(layout="constrained")
-    FigureCanvasSVG(figure)
-    return figure, figure.add_subplot(**options)
-
-
 def _array(rows: Any) -> NDArray[np.float64]:
     return np.array(rows, dtype=float)
 
 
 def track(run: Record) -> Figure:
     """The target's path in space."""
-    figure, axes = _axes(projection="3d")
+    figure, axes = axes_of(projection="3d")
     path = _array(run["target"]["position"])
     axes.plot(*path.T, color=COLOURS["target"])
     axes.plot(*path[:1].T, "o", color=COLOURS["sharp"], ms=4)
@@ -82,7 +76,7 @@ def track(run: Record) -> Figure:
 
 def seen_from_above(run: Record) -> Figure:
     """Target, estimate and sensors in the plane."""
-    figure, axes = _axes()
+    figure, axes = axes_of()
     path = _array(run["target"]["position"])
     axes.plot(path[:, 0], path[:, 1], ":", color=COLOURS["target"], label="target")
     for estimate in run["estimates"]:
@@ -106,7 +100,7 @@ def seen_from_above(run: Record) -> Figure:
 
 def _parts(run: Record, values: NDArray[np.float64], label: str) -> Figure:
     """Three components over time."""
-    figure, axes = _axes()
+    figure, axes = axes_of()
     for k, (part, role) in enumerate(PARTS):
         axes.plot(run["time"], values[:, k], color=COLOURS[role], lw=1.2, label=part)
     _events(run, axes)
@@ -122,7 +116,7 @@ def _error(run: Record, what: str) -> NDArray[np.float64]:
 
 def _beside_bounds(run: Record, what: str, unit: str) -> Figure:
     """Norms of the errors of all estimates, and what bounds them."""
-    figure, axes = _axes()
+    figure, axes = axes_of()
     truth = _array(run["target"][what])
     for estimate in run["estimates"]:
         own = estimate["name"] == run["system"]
@@ -154,7 +148,7 @@ def _scattered(size: NDArray[np.float64]) -> bool:
 
 def _level(run: Record, quantity: str) -> Figure:
     """How far the sensors are apart, beside the bounds."""
-    figure, axes = _axes()
+    figure, axes = axes_of()
     for entry in run["levels"]:
         if entry["quantity"] != quantity:
             continue

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 COLOURS = {
     "sharp": "#006468",
@@ -53,3 +57,13 @@ def style() -> Iterator[None]:
     chosen: Any = {**SETTINGS, "font.serif": fonts}
     with mpl.rc_context(chosen):
         yield
+
+
+def axes_of(**options: Any) -> tuple[Figure, Axes]:
+    """A figure that is written as SVG, and its axes."""
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+    from matplotlib.figure import Figure
+
+    figure = Figure(layout="constrained")
+    FigureCanvasSVG(figure)
+    return figure, figure.add_subplot(**options)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from .parts import Scenario
 from .run import Run
+from .several import RunOfSeveral
 from .systems import Simulated, simulated
 
 Floats = NDArray[np.float64]
@@ -39,7 +41,8 @@ def simulate(scenario: Scenario, seed: int | None = None) -> Run:
     time: Floats = part.h_s * np.arange(count, dtype=np.float64)
     system = simulated(part.system)
     found = system.run(scenario, chosen, time, scenario.target.at(time))
-    return Run(
+    kind = partial(RunOfSeveral, targets=scenario.targets) if scenario.targets else Run
+    return kind(
         name=scenario.name,
         title=header.title,
         about=header.about,

@@ -9,7 +9,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from sensortrack.sensors import checked_weights
 from sensortrack.tables import Vector
-from sensortrack.targets import Target
+from sensortrack.targets import Several, Target
 
 
 @dataclass(frozen=True)
@@ -70,6 +70,11 @@ class Scenario:
         if not any(given.values()):
             return dict.fromkeys(given, 1.0 / len(given))
         return checked_weights(given)
+
+    @property
+    def targets(self) -> tuple[str, ...]:
+        """Names of the targets, none where the system follows a single one."""
+        return self.target.names if isinstance(self.target, Several) else ()
 
     def to_data(self) -> dict[str, Any]:
         """Return the scenario as JSON data."""

@@ -80,7 +80,7 @@ class Run:
         counted = self.time >= self.summary_from
         rows = []
         for name in self.estimates:
-            place, rate = (_rms(error[counted]) for error in self.errors(name))
+            place, rate = (rms(error[counted]) for error in self.errors(name))
             rows.append(
                 {
                     "estimate": name,
@@ -103,25 +103,38 @@ class Run:
             "seed": self.seed,
             "assumptions": list(self.assumptions),
             "parameters": dict(self.parameters),
-            "time": self.time.tolist(),
-            "target": {"position": _rows(self.target[0]), "velocity": _rows(self.target[1])},
-            "sensors": [
-                {"name": name, "position": _rows(place)} for name, place in self.sensors.items()
-            ],
-            "estimates": [
-                {
-                    "name": name,
-                    "label": self.labels.get(name, name),
-                    "position": _rows(place),
-                    "velocity": _rows(rate),
-                }
-                for name, (place, rate) in self.estimates.items()
-            ],
+            **self.truth_data(),
+            "sensors": self.sensor_data(),
+            "estimates": self.estimate_data(),
             "events": list(self.events),
             "summary": self.summary,
             "notes": list(self.notes),
             **self.extra,
         }
+
+    def truth_data(self) -> dict[str, Any]:
+        """Times, and where the target truly was."""
+        place, rate = self.target
+        return {
+            "time": self.time.tolist(),
+            "target": {"position": _rows(place), "velocity": _rows(rate)},
+        }
+
+    def sensor_data(self) -> list[dict[str, Any]]:
+        """Where the sensors were."""
+        return [{"name": name, "position": _rows(place)} for name, place in self.sensors.items()]
+
+    def estimate_data(self) -> list[dict[str, Any]]:
+        """What was estimated, and how it is called."""
+        return [
+            {
+                "name": name,
+                "label": self.labels.get(name, name),
+                "position": _rows(place),
+                "velocity": _rows(rate),
+            }
+            for name, (place, rate) in self.estimates.items()
+        ]
 
     def tracks_csv(self) -> str:
         """Positions and velocities, one row a time and a track."""
@@ -132,7 +145,7 @@ class Run:
             for k, t in enumerate(self.time)
             for name, (place, rate) in tracks.items()
         ]
-        return _csv(head, rows)
+        return csv_text(head, rows)
 
     def errors_csv(self) -> str:
         """Norms of the errors, one row a time and an estimate."""
@@ -142,10 +155,11 @@ class Run:
             for k, t in enumerate(self.time)
             for name, (place, rate) in errors.items()
         ]
-        return _csv(("time_s", "estimate", "position_error_m", "velocity_error_mps"), rows)
+        return csv_text(("time_s", "estimate", "position_error_m", "velocity_error_mps"), rows)
 
 
-def _rms(values: Floats) -> float | None:
+def rms(values: Floats) -> float | None:
+    """Root-mean-square of what is known, None if nothing is."""
     known = values[np.isfinite(values)]
     return float(np.sqrt(np.mean(known**2))) if known.size else None
 
@@ -154,7 +168,15 @@ def _rows(values: Floats) -> list[list[float | None]]:
     return [[x if np.isfinite(x) else None for x in row] for row in values.tolist()]
 
 
-def _csv(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
+def rounded(values: Floats, digits: int = 6) -> list[Any]:
+    """Numbers with some digits, nested as they are; None for what is not known."""
+    if values.ndim > 1:
+        return [rounded(row, digits) for row in values]
+    return [float(f"{x:.{digits}g}") if np.isfinite(x) else None for x in values.tolist()]
+
+
+def csv_text(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
+    """Rows as comma-separated values, numbers with nine digits."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(head)

@@ -1,4 +1,4 @@
-"""A scenario: one target, its sensors, their noise and faults, one estimator and its baselines."""
+"""A scenario: targets, the sensors, their noise and faults, one estimator and its baselines."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 
 from sensortrack.errors import InputError
 from sensortrack.tables import read_table
-from sensortrack.targets import KINDS, Target
+from sensortrack.targets import KINDS, Several, Single, Target
 
 from .parts import FaultPart, Header, Scenario, SensorPart, need, one_of
 from .systems import SYSTEMS, Simulated, simulated
@@ -83,7 +83,7 @@ def scenario_of(name: str, data: Mapping[str, Any]) -> Scenario:
     scenario = Scenario(
         name,
         header,
-        _target(data.get("target")),
+        _targets(data.get("target"), system.SEVERAL),
         tuple(read_table(SensorPart, entry, "sensor") for entry in _list(data, "sensor")),
         read_table(system.TABLES["noise"], data.get("noise", {}), "noise"),
         tuple(read_table(FaultPart, entry, "fault") for entry in _list(data, "fault")),
@@ -128,12 +128,40 @@ def _list(data: Mapping[str, Any], key: str) -> list[Any]:
     return found
 
 
-def _target(data: object) -> Target:
+def _targets(data: object, several: bool) -> Target:
+    """One table [target], or a list [[target]] where the system follows several."""
+    if not several:
+        needed = "one table [target] is needed: this system follows one"
+        need(not isinstance(data, list), "target", "a list [[target]]", needed)
+        return _target(data)
+    entries = data if isinstance(data, list) else [data]
+    need(bool(entries), "target", "no target", "one or more [[target]] are needed")
+    names = tuple(_name(entry, str(k)) for k, entry in enumerate(entries, 1))
+    for name in names:
+        need(names.count(name) == 1, "target.name", f"{name} twice", "one each is needed")
+    return Several(names, tuple(_target(_unnamed(entry)) for entry in entries))
+
+
+def _name(entry: object, number: str) -> str:
+    found = entry.get("name", number) if isinstance(entry, Mapping) else number
+    need(
+        isinstance(found, str) and found != "", "target.name", f"{found!r:.60}", "a text is needed"
+    )
+    return str(found)
+
+
+def _unnamed(entry: object) -> object:
+    if not isinstance(entry, Mapping):
+        return entry
+    return {key: value for key, value in entry.items() if key != "name"}
+
+
+def _target(data: object) -> Single:
     if not isinstance(data, Mapping) or data.get("kind") not in KINDS:
         found = data.get("kind") if isinstance(data, Mapping) else data
         raise InputError("target.kind", f"{found!r:.60}", f"one of {', '.join(KINDS)} is needed")
     rest = {key: value for key, value in data.items() if key != "kind"}
-    made: Target = read_table(KINDS[data["kind"]], rest, "target")  # type: ignore[arg-type]
+    made: Single = read_table(KINDS[data["kind"]], rest, "target")  # type: ignore[arg-type]
     return made
 
 

@@ -15,7 +15,6 @@ WAITING: dict[str, set[str]] = {
     "cyclic_spsa": {
         "page",
         "notebook",
-        "scenario",
         "benchmark",
     }
 }

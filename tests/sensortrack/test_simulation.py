@@ -12,7 +12,7 @@ from sensortrack.data import TRACKS, load_track
 from sensortrack.errors import InputError
 from sensortrack.simulation import read_scenario, shipped_scenarios, simulate
 from sensortrack.simulation.scenario import scenario_of
-from sensortrack.targets import Helix, Line, Track
+from sensortrack.targets import Helix, Line, Track, Weaving
 
 BASE = {
     "title": "A toy",
@@ -157,7 +157,13 @@ def test_files_that_cannot_be_read_are_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "target", [Line(), Helix(2.0, 0.7, 0.1), Track("solent_six_vessels", "2", 300)]
+    "target",
+    [
+        Line(),
+        Helix(2.0, 0.7, 0.1),
+        Weaving((1.0, 2.0, 0.0), (3.0, 1.0, 0.0), (0.5, -0.2, 0.1), 7.0),
+        Track("solent_six_vessels", "2", 300),
+    ],
 )
 def test_a_velocity_is_the_derivative_of_its_path(target):
     time = np.linspace(1, 5, 20)

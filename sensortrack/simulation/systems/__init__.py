@@ -15,7 +15,7 @@ from sensortrack.simulation.parts import Scenario
 Floats = NDArray[np.float64]
 Path = tuple[Floats, Floats]
 """Positions in m and velocities in m/s, rows by time."""
-SYSTEMS = ("bearing_dac", "variational")
+SYSTEMS = ("bearing_dac", "cyclic_spsa", "variational")
 """Names of the modules of this folder, each of which is a `Simulated`."""
 
 
@@ -28,10 +28,11 @@ class Found:
     digest : str
         Of the generated source that was stepped.
     target : Path
-        As the system knows it: its coordinates may be fewer than three.
+        As the system knows it; times by targets by coordinates where it follows several.
     sensors : mapping of str to array (samples, 3)
     estimates : mapping of str to Path
-        The system's own first, then its baselines; NaN where there is no estimate.
+        The system's own first, then its baselines; NaN where there is no estimate. Where several
+        targets are followed: times by sensors by targets by coordinates.
     labels : mapping of str to str
     parameters : mapping
     notes : tuple of str
@@ -58,13 +59,15 @@ class Simulated(Protocol):
     ``TABLES`` names the dataclass of each table it reads: ``estimator``, with ``system`` and
     ``h_s``, and ``noise`` at least; ``LISTS`` those of its own lists of tables. ``BASELINES`` are
     what a scenario may ask for beside the estimator, all of them by default; ``FAULTS`` says in
-    words what happens when a fault of each kind begins and when it ends.
+    words what happens when a fault of each kind begins and when it ends; ``SEVERAL`` whether it
+    follows several targets at once.
     """
 
     TABLES: Mapping[str, type]
     LISTS: Mapping[str, type]
     BASELINES: tuple[str, ...]
     FAULTS: Mapping[str, tuple[str, str]]
+    SEVERAL: bool
 
     def complete(self, scenario: Scenario) -> Scenario:
         """Fill in what the tables say in short."""

@@ -36,6 +36,7 @@ LABELS = {
     "least_squares": "least squares, all bearings in one place",
     "ekf": "extended Kalman filter, all bearings in one place",
 }
+SEVERAL = False
 BASELINES = ("explicit", "linear", "least_squares", "ekf")
 AGAIN = "sees the target again"
 FAULTS = {

@@ -26,6 +26,7 @@ LABELS = {
     "kalman": "Kalman filter",
     "raw": "raw average",
 }
+SEVERAL = False
 BASELINES = ("raw", "kalman")
 AGAIN = "sees the target again"
 FAULTS = {"lost": ("no longer sees the target", AGAIN), "nan": ("sends no numbers", AGAIN)}

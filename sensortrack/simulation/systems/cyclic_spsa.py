@@ -1,0 +1,300 @@
+"""Cyclic SPSA of several targets, in several settings on the same data, beside other estimators."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sensortrack.estimators.cyclic_spsa import READINGS
+from sensortrack.generated import cyclic_spsa as generated
+from sensortrack.simulation.parts import Scenario, need, one_of
+from sensortrack.simulation.placement import NetworkPart, PlacementPart, placed
+from sensortrack.simulation.ranging import Measured, NoisePart, check_noise, measured, moments
+from sensortrack.simulation.run import rounded
+from sensortrack.simulation.several import EXACT
+from sensortrack.simulation.several_baselines import averaged, filtered
+from sensortrack.simulation.spsa_agents import (
+    SCALES,
+    Followed,
+    Starts,
+    Team,
+    Variant,
+    follow,
+    starts,
+    team_of,
+)
+from sensortrack.tables import Vector
+
+from . import Found, merged
+
+Floats = NDArray[np.float64]
+SEVERAL = True
+BASELINES = ("plain", "gradient", "kalman")
+LABELS = {
+    "cyclic_spsa": "cyclic SPSA",
+    "plain": "SPSA, all targets at once",
+    "gradient": "gradient steps with consensus",
+    "kalman": "Kalman filters",
+}
+AGAIN = "measures again"
+FAULTS = {"lost": ("measures nothing", AGAIN), "nan": ("sends no numbers", AGAIN)}
+
+
+@dataclass(frozen=True)
+class EstimatorPart:
+    """Step, perturbation, limits on neighbours and targets a step; ``scale`` is K of the weights.
+
+    ``reach_m`` is how far sensors see, 0 for without limit; ``diverged_m`` the error above which
+    a run counts as diverged.
+    """
+
+    system: str
+    h_s: float
+    alpha: float
+    beta_m: float
+    n_max: int
+    m_max: int
+    reading: str = "two"
+    scale: str = "harmonic"
+    reach_m: float = 0.0
+    diverged_m: float = 1e7
+
+
+@dataclass(frozen=True)
+class StartPart:
+    """Box in which first estimates are drawn, each coordinate by itself."""
+
+    low_m: Vector
+    high_m: Vector
+
+
+@dataclass(frozen=True)
+class VariantPart:
+    """Another setting that runs on the same data; what is left out is the estimator's."""
+
+    name: str
+    alpha: float = 0.0
+    beta_m: float = 0.0
+    reading: str = ""
+    n_max: int = -1
+    m_max: int = 0
+
+
+TABLES: Mapping[str, type] = {
+    "noise": NoisePart,
+    "estimator": EstimatorPart,
+    "start": StartPart,
+    "placement": PlacementPart,
+}
+LISTS: Mapping[str, type] = {"variant": VariantPart}
+
+
+def complete(scenario: Scenario) -> Scenario:
+    """Place sensors that are not listed.
+
+    Raises
+    ------
+    InputError
+        Sensors are listed and placed, or the placement is not possible.
+    """
+    if "placement" not in scenario.parts:
+        return scenario
+    listed = f"beside {len(scenario.sensors)} [[sensor]]"
+    need(not scenario.sensors, "placement", listed, "sensors either listed or placed are needed")
+    part = scenario.parts["placement"]
+    one_of("placement.kind", part.kind, ("ring", "random"))
+    return replace(scenario, sensors=placed(part, NetworkPart()))
+
+
+def check(scenario: Scenario) -> None:
+    """What no single key shows.
+
+    Raises
+    ------
+    InputError
+        With the name of the key.
+    """
+    for sensor in scenario.sensors:
+        moving = f"{sensor.name} moves"
+        need(not any(sensor.velocity_mps), "sensor.velocity_mps", moving, "sensors at rest")
+    check_noise(scenario.noise)
+    part = scenario.estimator
+    one_of("estimator.scale", part.scale, SCALES)
+    for key in ("reach_m", "diverged_m"):
+        value = getattr(part, key)
+        good = value > 0 or (value == 0 and key == "reach_m")
+        need(good, f"estimator.{key}", f"{value}", "a distance above 0 m is needed")
+    _check_start(scenario.parts.get("start"))
+    names = [variant.name for variant in scenario.parts["variant"]]
+    for name in names:
+        free = names.count(name) == 1 and name not in BASELINES
+        need(free, "variant.name", f"{name} twice", "names of their own are needed")
+    paths = scenario.target.at(_time(scenario))[0]
+    for variant in variants(scenario):
+        one_of(f"{variant.table}.reading", variant.reading, READINGS)
+        team_of(scenario, variant, paths[..., :2], scenario.header.seed)
+
+
+def _check_start(part: StartPart | None) -> None:
+    if part is not None:
+        good = all(low <= high for low, high in zip(part.low_m, part.high_m, strict=True))
+        found = f"{list(part.high_m)} beside {list(part.low_m)}"
+        need(good, "start.high_m", found, "numbers not below those of low_m are needed")
+
+
+def _time(scenario: Scenario) -> Floats:
+    count = round(scenario.header.duration_s / scenario.estimator.h_s) + 1
+    return np.asarray(scenario.estimator.h_s * np.arange(count, dtype=np.float64))
+
+
+def variants(scenario: Scenario) -> tuple[Variant, ...]:
+    """The settings that run: the estimator's, unless variants are listed."""
+    part = scenario.estimator
+    limits = (part.n_max, part.m_max)
+    base = Variant("cyclic_spsa", part.alpha, part.beta_m, part.reading, *limits)
+    listed = tuple(
+        Variant(
+            entry.name,
+            entry.alpha or base.alpha,
+            entry.beta_m or base.beta,
+            entry.reading or base.reading,
+            base.n_max if entry.n_max < 0 else entry.n_max,
+            entry.m_max or base.m_max,
+            "variant",
+        )
+        for entry in scenario.parts["variant"]
+    )
+    return listed or (base,)
+
+
+def run(scenario: Scenario, seed: int, time: Floats, target: tuple[Floats, Floats]) -> Found:
+    """Let sensors measure, exchange measurements and follow the targets, in the plane x, y.
+
+    Raises
+    ------
+    InputError
+        There is no start and a sensor has no first measurement.
+    """
+    path = _flat(target[0]), _flat(target[1])
+    truth = path[0][..., :2]
+    seen = measured(scenario, seed, time, truth)
+    teams = {v.name: team_of(scenario, v, truth, seed) for v in _all_settings(scenario)}
+    first = {name: starts(scenario, team, seen, seed) for name, team in teams.items()}
+    limit = scenario.estimator.diverged_m
+    followed = {
+        name: follow(team, seen, time, truth, first[name], limit) for name, team in teams.items()
+    }
+    return Found(
+        digest=generated.DIGEST,
+        target=path,
+        sensors={
+            sensor.name: np.tile(np.array(sensor.position_m), (len(time), 1))
+            for sensor in scenario.sensors
+        },
+        estimates={
+            name: _placed(place)
+            for name, place in {
+                **{name: found.positions for name, found in followed.items()},
+                **_baselines(scenario, seen, next(iter(teams.values())), first),
+            }.items()
+        },
+        labels={name: LABELS.get(name, name) for name in [*teams, *BASELINES]},
+        parameters=_parameters(scenario),
+        notes=merged([note for found in followed.values() for note in found.notes]),
+        events=_diverged(followed, time, limit),
+        extra={"spsa": _record(scenario, teams, followed)},
+    )
+
+
+def _all_settings(scenario: Scenario) -> tuple[Variant, ...]:
+    """Those of the estimator and its variants, and all targets at once if that is asked for."""
+    own = variants(scenario)
+    if "plain" not in scenario.header.baselines:
+        return own
+    together = len(scenario.targets)
+    return (*own, replace(own[0], name="plain", m_max=together))
+
+
+def _baselines(
+    scenario: Scenario, seen: Measured, team: Team, first: Mapping[str, Starts]
+) -> dict[str, Floats]:
+    """Positions that other estimators find from what reaches the sensors."""
+    asked, made = scenario.header.baselines, {}
+    if "gradient" in asked:
+        made["gradient"] = averaged(scenario, team, seen, first[team.variant.name])
+    if "kalman" in asked:
+        made["kalman"] = filtered(scenario, team, seen)
+    return made
+
+
+def _flat(rows: Floats) -> Floats:
+    """Angle and distance are of the plane x, y."""
+    found = rows.copy()
+    found[..., 2] = 0.0
+    return found
+
+
+def _placed(places: Floats) -> tuple[Floats, Floats]:
+    """Two coordinates as three, and no velocities."""
+    height = np.where(np.isfinite(places).all(axis=-1, keepdims=True), 0.0, np.nan)
+    found = np.concatenate([places, height], axis=-1)
+    return found, np.full_like(found, np.nan)
+
+
+def _diverged(
+    followed: Mapping[str, Followed], time: Floats, limit: float
+) -> tuple[dict[str, Any], ...]:
+    return tuple(
+        {
+            "time": float(time[found.diverged]),
+            "kind": "diverged",
+            "of": name,
+            "text": f"{LABELS.get(name, name)} has diverged: its error passes {limit:g} m",
+        }
+        for name, found in followed.items()
+        if found.diverged is not None
+    )
+
+
+def _parameters(scenario: Scenario) -> Mapping[str, Any]:
+    part, noise = scenario.estimator, scenario.noise
+    return {
+        "alpha": part.alpha,
+        "beta": part.beta_m,
+        "h": part.h_s,
+        "n_max": part.n_max,
+        "m_max": part.m_max,
+        "reading": part.reading,
+        "scale": part.scale,
+        "reach": part.reach_m or "without limit",
+        "noise": f"{noise.kind}, {noise.bearing_deg} deg, {100 * noise.range_relative:g} % of the "
+        "distance",
+    }
+
+
+def _record(
+    scenario: Scenario, teams: Mapping[str, Team], followed: Mapping[str, Followed]
+) -> dict[str, Any]:
+    """Who followed what with which numbers, from which start: what closed forms need."""
+    along, across = moments(scenario.noise)
+    return {
+        "noise": {"kind": scenario.noise.kind, "along": along, "across": across},
+        "diverged_m": scenario.estimator.diverged_m,
+        "variants": [
+            {
+                "name": name,
+                "alpha": team.variant.alpha,
+                "beta": team.variant.beta,
+                "reading": team.variant.reading,
+                "n_max": team.variant.n_max,
+                "m_max": team.variant.m_max,
+                "shares": team.record(),
+                "start": rounded(followed[name].positions[0], EXACT),
+            }
+            for name, team in teams.items()
+        ],
+    }
