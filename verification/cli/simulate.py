@@ -47,16 +47,17 @@ def run(options: argparse.Namespace) -> int:
     prepare(folder)
     found = simulate(scenario, options.seed)
     data = found.to_data() | {"command": _command(options), "version": version("sensortrack")}
-    data["bounds"] = _bounds(data)
+    beside = import_module(f"verification.systems.{data['system']}.envelopes")
+    data["bounds"] = beside.envelopes(data)
+    if hasattr(beside, "expectations"):
+        data["expected"] = beside.expectations(data)
     write_text(folder / RUN, json.dumps(data) + "\n")
     write_text(folder / "tracks.csv", found.tracks_csv())
     write_text(folder / "errors.csv", found.errors_csv())
     _figures(data, folder)
     page, _ = build(folder)
     if options.json:
-        print(
-            json.dumps({key: data[key] for key in ("name", "seed", "summary", "events", "notes")})
-        )
+        print(json.dumps(_short(data)))
     else:
         print("\n".join(lines_of(data)))
         print(f"\nreport  {page}")
@@ -85,10 +86,12 @@ def prepare(folder: Path) -> None:
         raise InputError("--out", f"{folder} cannot be written to", "another is needed")
 
 
-def _bounds(data: dict[str, Any]) -> list[dict[str, Any]]:
-    """What is proved about this run's errors, if its system has bounds."""
-    module = import_module(f"verification.systems.{data['system']}.envelopes")
-    found: list[dict[str, Any]] = module.envelopes(data)
+def _short(data: dict[str, Any]) -> dict[str, Any]:
+    """The summary as JSON data: numbers, no curves."""
+    found = {key: data[key] for key in ("name", "seed", "summary", "events", "notes")}
+    if "expected" in data:
+        keys = ("of", "rms", "settled", "alpha", "limit")
+        found["expected"] = [{key: entry[key] for key in keys} for entry in data["expected"]]
     return found
 
 
@@ -104,14 +107,10 @@ def _figures(data: dict[str, Any], folder: Path) -> None:
 
 def lines_of(data: dict[str, Any]) -> list[str]:
     """The summary in plain text."""
-    labels = {entry["name"]: entry["label"] for entry in data["estimates"]}
+    from verification.report import several_tables
+
     lines = [f"{data['title']}, seed {data['seed']}", ""]
-    since = f"rms from {data['summary'][0]['from']:g} s"
-    width = max(22, *(len(labels[row["estimate"]]) for row in data["summary"]))
-    lines.append(f"{since:<{width + 2}}  position, m  velocity, m/s")
-    for row in data["summary"]:
-        numbers = f"{_number(row['position_rms']):>11}  {_number(row['velocity_rms']):>13}"
-        lines.append(f"  {labels[row['estimate']]:<{width}}  {numbers}")
+    lines += several_tables.text_lines(data) if "targets" in data else _errors(data)
     lines += [""] if data["bounds"] else []
     names = max([16, *(len(bound["name"]) for bound in data["bounds"])])
     for bound in data["bounds"]:
@@ -122,6 +121,18 @@ def lines_of(data: dict[str, Any]) -> list[str]:
     lines += [""] if data["events"] or data["notes"] else []
     lines += [f"  {event['time']:g} s: {event['text']}" for event in data["events"]]
     lines += [f"  note: {note}" for note in data["notes"]]
+    return lines
+
+
+def _errors(data: dict[str, Any]) -> list[str]:
+    """One line an estimate."""
+    labels = {entry["name"]: entry["label"] for entry in data["estimates"]}
+    since = f"rms from {data['summary'][0]['from']:g} s"
+    width = max(22, *(len(labels[row["estimate"]]) for row in data["summary"]))
+    lines = [f"{since:<{width + 2}}  position, m  velocity, m/s"]
+    for row in data["summary"]:
+        numbers = f"{_number(row['position_rms']):>11}  {_number(row['velocity_rms']):>13}"
+        lines.append(f"  {labels[row['estimate']]:<{width}}  {numbers}")
     return lines
 
 

@@ -67,9 +67,10 @@ def _axes(figure: Plot, x: Scale, y: Scale) -> list[Element]:
     made = [el("path", d=f"M{LEFT} {TOP}V{BOTTOM}H{RIGHT}", class_="ax")]
     marks = []
     for value in ticks(x.axis):
-        across = f"{float(x(value)):.1f}"
-        marks.append(f"M{across} {BOTTOM}v4")
-        made.append(_text(number(value), across, BOTTOM + 19, "k", "middle"))
+        across, words = float(x(value)), number(value)
+        marks.append(f"M{across:.1f} {BOTTOM}v4")
+        middle = min(across, WIDTH - len(words) * DIGIT / 2)
+        made.append(_text(words, f"{middle:.1f}", BOTTOM + 19, "k", "middle"))
     for value in ticks(y.axis):
         along = float(y(value))
         marks.append(f"M{LEFT} {along:.1f}h-4")

@@ -6,18 +6,17 @@ from .markdown import escape, table_of
 from .records import Record, digits
 from .run_page import (
     BOUND_HEAD,
-    SUMMARY_HEAD,
     bound_rows,
     run_facts,
     run_headline,
-    summary_rows,
+    summary_table,
 )
 
 
 def run_markdown(run: Record) -> str:
     """Return the whole text."""
     parts = [f"# {escape(run_headline(run))}", escape(run.get("about", ""))]
-    parts += ["## How good it was", table_of(SUMMARY_HEAD, summary_rows(run))]
+    parts += ["## How good it was", table_of(*summary_table(run))]
     parts += _list("Events", [f"{digits(e['time'])} s: {e['text']}" for e in run.get("events", [])])
     rows = bound_rows(run)
     if rows:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from . import several_tables
 from .dom import Element, el
 from .header import facts
 from .page import document
 from .plots import plot
 from .records import Record, count, digits
 from .run_figures import figures
+from .several_figures import several_figures
 
 
 def run_page(run: Record) -> str:
@@ -31,6 +33,8 @@ def run_page(run: Record) -> str:
 
 def run_headline(run: Record) -> str:
     """The result of a run in one sentence."""
+    if "targets" in run:
+        return several_tables.headline(run)
     own = next(row for row in run["summary"] if row["estimate"] == run["system"])
     rms = f"{digits(own['position_rms'])} m rms" if own["position_rms"] is not None else "unknown"
     bounds = run.get("bounds", [])
@@ -56,10 +60,11 @@ def _header(run: Record) -> Element:
 
 def run_facts(run: Record) -> dict[str, str]:
     """What is needed to run it again."""
+    samples, length = run.get("samples", len(run["time"])), run["time"][-1] - run["time"][0]
     return {
         "Command": run.get("command", ""),
         "Seed": str(run["seed"]),
-        "Samples": f"{len(run['time'])} over {digits(run['time'][-1] - run['time'][0])} s",
+        "Samples": f"{samples} over {digits(length)} s",
         "Version": f"SensorTrack {run.get('version', '')}",
         "Digest": run["digest"][:16],
     }
@@ -70,7 +75,8 @@ def _summary(run: Record) -> Element:
     return el(
         "section",
         el("h2", "How good it was"),
-        _table(SUMMARY_HEAD, summary_rows(run)),
+        el("p", several_tables.lede(run), class_="sub") if "targets" in run else None,
+        _table(*summary_table(run)),
         [el("h3", "Events"), el("ul", events)] if events else None,
         id="summary",
     )
@@ -79,8 +85,15 @@ def _summary(run: Record) -> Element:
 SUMMARY_HEAD = ("estimate", "position error, rms in m", "velocity error, rms in m/s", "from, s")
 
 
+def summary_table(run: Record) -> tuple[tuple[str, ...], list[list[str]]]:
+    """Head and rows of the summary, the same in every report."""
+    if "targets" in run:
+        return several_tables.HEAD, several_tables.rows(run)
+    return SUMMARY_HEAD, summary_rows(run)
+
+
 def summary_rows(run: Record) -> list[list[str]]:
-    """One row an estimate, the same in every report."""
+    """One row an estimate."""
     labels = {entry["name"]: entry["label"] for entry in run["estimates"]}
     return [
         [
@@ -118,7 +131,7 @@ def _figures(run: Record) -> Element:
             el("figcaption", figure.caption),
             id=f"figure-{name}",
         )
-        for name, figure in figures(run)
+        for name, figure in (several_figures if "targets" in run else figures)(run)
     ]
     return el("section", el("h2", "Figures"), el("div", drawn, class_="pair"), id="figures")
 

@@ -170,6 +170,78 @@ def test_a_run_in_which_nobody_ever_knows_has_a_page_that_says_so(tmp_path, caps
     assert "position error unknown" in (out / "report.md").read_text()
 
 
+TARGETS = """
+title = "Two targets"
+about = "Lines."
+duration_s = 4.0
+summary_from_s = 2.0
+[[target]]
+kind = "line"
+start_m = [0.0, 90.0, 0.0]
+[[target]]
+name = "<b>east</b>"
+kind = "line"
+start_m = [80.0, 10.0, 0.0]
+[placement]
+kind = "ring"
+count = 3
+size_m = 150.0
+[noise]
+kind = "gaussian"
+bearing_deg = 1.0
+range_relative = 0.01
+[start]
+low_m = [100.0, 100.0, 0.0]
+high_m = [110.0, 110.0, 0.0]
+[[variant]]
+name = "calm"
+[[variant]]
+name = "wild"
+beta_m = 0.001
+[estimator]
+system = "cyclic_spsa"
+h_s = 0.05
+alpha = 0.4
+beta_m = 5.0
+n_max = 1
+m_max = 1
+"""
+
+
+def test_several_targets_have_a_table_of_settings_beside_what_was_expected(tmp_path, capsys):
+    path, out = tmp_path / "targets.toml", tmp_path / "out"
+    path.write_text(TARGETS)
+    assert main(["simulate", str(path), "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert "wild has diverged: its error passes 1e+07 m" in said
+    assert "alpha/limit" in said
+    assert "nan" not in said
+    run = json.loads((out / "run.json").read_text())
+    beside = {entry["of"]: entry for entry in run["expected"]}
+    assert beside["calm"]["alpha"] < beside["calm"]["limit"]
+    assert beside["wild"]["alpha"] > 1000 * beside["wild"]["limit"]
+    html, text = ((out / f"report.{end}").read_text() for end in ("html", "md"))
+    for words in (
+        "rms with calm; one of two settings diverged",
+        "Kalman filters",
+        "alpha over its",
+    ):
+        assert words in html
+        assert words in text
+    assert html.count('role="img"') == 6
+    assert "<b>east</b>" not in html
+    assert "NaN" not in (out / "run.json").read_text() + html.replace("nance", "")
+    assert len(list((out / "figures").glob("*.svg"))) == 5
+    head, *rows = (out / "errors.csv").read_text().splitlines()
+    assert head == "time_s,estimate,sensor,target,position_error_m"
+    assert len([row for row in rows if ",calm," in row]) == 81 * 6
+    assert main(["report", str(out)]) == 0
+    assert (out / "report.html").read_text() == html
+    capsys.readouterr()
+    assert main(["simulate", str(path), "--out", str(out), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["expected"][1]["rms"] is None
+
+
 @pytest.mark.parametrize("name", [n for n in shipped_scenarios() if n.startswith("solent")])
 def test_every_bound_is_on_the_right_side_of_a_recorded_track(tmp_path, name):
     out = tmp_path / "out"
