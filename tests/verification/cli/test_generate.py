@@ -142,3 +142,83 @@ def test_bad_constants_of_a_node_are_refused_by_name(tmp_path, capsys, given, na
     assert node(tmp_path / "out", *given, target="c") == 2
     assert capsys.readouterr().err.startswith(f"sensortrack: {name}: ")
     assert not (tmp_path / "out").exists()
+
+
+BLOCK = ("--set", "alpha=0.05", "--set", "beta=1/4")
+
+
+def block(out, *arguments, target):
+    return main(["generate", "cyclic_spsa", "--target", target, "--out", str(out), *arguments])
+
+
+BLOCKS = {
+    "free": (),
+    "h": ("--set", "h=[0.3, 0.3, 1.1, 1.1]", *BLOCK),
+    "H": ("--set", "H=[[1,0.2],[0.2,0.7]]", "--set", "beta=3"),
+    "twelve": ("--coordinates", "12", "--set", "h=0.1"),
+}
+
+
+@pytest.mark.parametrize(
+    "target,given",
+    [
+        ("c", "H"),
+        ("c", "twelve"),
+        ("numpy", "h"),
+        ("python", "free"),
+        ("python", "h"),
+        ("casadi", "h"),
+        ("casadi", "H"),
+    ],
+)
+def test_the_source_of_one_block_tests_itself(tmp_path, target, given):
+    assert block(tmp_path / "out", *BLOCKS[given], target=target) == 0
+    run = [sys.executable, "selftest.py"] if target != "c" else ["make", "CFLAGS=-O0", "test"]
+    done = subprocess.run(run, cwd=tmp_path / "out", capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert " 0 mismatches" in done.stdout
+
+
+@pytest.mark.parametrize(
+    "given,size,constants",
+    [
+        ((), 2, set()),
+        (("--set", "h=[1, 2, 3, 4]"), 4, {"H"}),
+        (("--set", "h=1/2"), 2, {"H"}),
+        (("--set", "H=1/2", "--coordinates", "6", *BLOCK), 6, {"H", "alpha", "beta"}),
+    ],
+)
+def test_a_block_has_as_many_coordinates_as_its_hessian(tmp_path, given, size, constants):
+    block(tmp_path / "out", *given, target="python")
+    manifest = json.loads((tmp_path / "out" / "manifest.json").read_text())
+    assert (manifest["coordinates"], {*manifest["constants"]}) == (size, constants)
+    assert len(manifest["layout"]["state"]) == size
+
+
+def test_a_step_that_is_unstable_without_noise_is_remarked_on(tmp_path, capsys):
+    hessian = ("--set", "h=[1, 1, 2, 2]")
+    block(tmp_path / "a", *hessian, "--set", "alpha=0.33", target="python")
+    assert "not stable" not in capsys.readouterr().err
+    block(tmp_path / "b", *hessian, "--set", "alpha=1/3", target="python")
+    assert "alpha = 1/3 is not stable" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "given,name",
+    [
+        (("--set", "h=[1, 0]"), "h"),
+        (("--set", "h=[1, 2]", "--set", "H=1"), "h"),
+        (("--set", "H=[[1,2],[2,1]]"), "H"),
+        (("--set", "H=[[1,2],[0,1]]"), "H"),
+        (("--set", "h=[1, 2, 3]", "--coordinates", "2"), "h"),
+        (("--set", f"h={[1] * 13}"), "--coordinates"),
+        (("--coordinates", "0"), "--coordinates"),
+        (("--set", "alpha=0"), "alpha"),
+        (("--set", "beta=-1"), "beta"),
+        (("--set", "gamma=1"), "gamma"),
+    ],
+)
+def test_bad_constants_of_a_block_are_refused_by_name(tmp_path, capsys, given, name):
+    assert block(tmp_path / "out", *given, target="c") == 2
+    assert capsys.readouterr().err.startswith(f"sensortrack: {name}: ")
+    assert not (tmp_path / "out").exists()

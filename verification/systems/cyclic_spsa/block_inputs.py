@@ -92,7 +92,7 @@ def block_of(values: Mapping[str, Any]) -> Block:
         The Hessian is missing, given twice or not symmetric positive definite; Xi is not symmetric
         positive semidefinite; beta <= 0; a size, the reading or k is out of range.
     """
-    hessian, given = _hessian(values)
+    hessian, given = hessian_of(values)
     size = len(hessian)
     noise, drift = _sized(values["Xi"], size), _drift(values["eta"], size)
     _covariance(noise)
@@ -105,7 +105,20 @@ def block_of(values: Mapping[str, Any]) -> Block:
     return Block(hessian, given, noise, drift, beta, READINGS[reading], int(blocks))
 
 
-def _hessian(values: Mapping[str, Any]) -> tuple[Rows, str]:
+def hessian_of(values: Mapping[str, Any]) -> tuple[Rows, str]:
+    """Read and check the Hessian, which is given as ``h`` or as ``H``; the other is None.
+
+    Returns
+    -------
+    hessian : Rows
+    given : str
+        ``h`` or ``H``.
+
+    Raises
+    ------
+    InputError
+        It is missing, given twice or not symmetric positive definite.
+    """
     h, matrix = values["h"], values["H"]
     if (h is None) == (matrix is None):
         found = "neither h nor H is given" if h is None else "h and H are both given"
