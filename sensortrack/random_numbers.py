@@ -87,15 +87,18 @@ def signs(counter: Counter, key: tuple[int, int], count: int) -> list[int]:
     return found[:count]
 
 
-def whole_seed(name: str, value: object) -> int:
-    """A seed or a number for one word of a key or a counter.
+def whole(name: str, value: object, least: int = 0, most: int = MASK) -> int:
+    """A whole number: a seed, or what a counter counts.
 
     Raises
     ------
     InputError
-        With this name: it is not a whole number from 0 to 2^64 - 1.
+        With this name: it is not a whole number, or not from `least` to `most`.
     """
-    found = -1 if isinstance(value, bool) or not isinstance(value, int | np.integer) else int(value)
-    if not 0 <= found <= MASK:
-        raise InputError(name, f"{value}", "a whole number from 0 to 2^64 - 1 is needed")
+    found = least - 1
+    if isinstance(value, int | np.integer) and not isinstance(value, bool):
+        found = int(value)
+    if not least <= found <= most:
+        up_to = f"2^{most.bit_length()} - 1" if most & (most + 1) == 0 else str(most)
+        raise InputError(name, f"{value}", f"a whole number from {least} to {up_to} is needed")
     return found

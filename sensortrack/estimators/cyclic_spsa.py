@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from sensortrack.errors import InputError
 from sensortrack.generated import cyclic_spsa as generated
 from sensortrack.polar import PolarView, from_sources
-from sensortrack.random_numbers import STREAMS, signs, whole_seed
+from sensortrack.random_numbers import STREAMS, signs, whole
 from sensortrack.schedules import Schedule, Turn
 
 from .bearing_state import pair
@@ -144,7 +144,7 @@ class CyclicSpsa:
             needed = "a number of 0 or more, below pi, is needed"
             raise InputError("sigma_bearing", f"{self.sigma_bearing}", needed)
         for name in ("seed", "number"):
-            object.__setattr__(self, name, whole_seed(name, getattr(self, name)))
+            object.__setattr__(self, name, whole(name, getattr(self, name)))
         weights = _weights(self.weights, self.targets)
         rest = (float(self.alpha), float(self.beta))
         contexts = tuple((h, 0.0, h, *rest) for h in weights.values())

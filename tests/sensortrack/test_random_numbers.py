@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sensortrack.errors import InputError
-from sensortrack.random_numbers import MASK, philox, signs, whole_seed, words
+from sensortrack.random_numbers import MASK, philox, signs, whole, words
 
 WORD = st.integers(0, MASK)
 PI = (
@@ -62,4 +62,4 @@ def test_signs_are_bits_and_do_not_depend_on_how_many_are_asked_for(rest, count)
 @pytest.mark.parametrize("value", [-1, 2**64, 0.5, True, np.nan])
 def test_seeds_are_whole_numbers_of_one_word(value):
     with pytest.raises(InputError, match="seed"):
-        whole_seed("seed", value)
+        whole("seed", value)

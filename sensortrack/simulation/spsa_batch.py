@@ -1,0 +1,252 @@
+"""Statistics of cyclic SPSA over many runs of one block: what closed forms are compared with.
+
+Each run is Algorithm 1 on a quadratic cost with Hessian H: two points, two costs, an update, with
+measured positions that are the true ones plus noise, which move by the same drift from sample to
+sample. Nothing of the theory goes in: no second moments, no linear recursion.
+
+Draws are a function of seed, run and update, so that a run is the same in whichever batch it is.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sensortrack.errors import InputError
+from sensortrack.kernels.spsa import Recursion, Tally, advance
+from sensortrack.random_numbers import whole
+
+from .block_numbers import covariance_root, drift_of, hessian_of, start_of
+
+Floats = NDArray[np.float64]
+READINGS = {"one": 1, "two": 2}
+LAWS = ("gaussian", "two_point")
+MOST = 2**40
+"""Runs, updates and the like; their products fit a word of a counter."""
+
+
+@dataclass(frozen=True, eq=False)
+class BatchResult:
+    """What some runs counted.
+
+    Parameters
+    ----------
+    means : array (runs, D)
+        Of each run, the mean over the counted updates of theta_hat - theta right after them, in m.
+    squares : array (runs,)
+        The same of the square of its length, in m^2.
+    trajectory : array (updates, 2)
+        Of each update, counted or not, sums over the runs of that square and of its square.
+    errors : array (runs, D)
+        theta_hat - theta before the next update, at its second instant: where to go on from.
+    """
+
+    means: Floats
+    squares: Floats
+    trajectory: Floats
+    errors: Floats
+
+    @property
+    def runs(self) -> int:
+        """How many there are."""
+        return len(self.squares)
+
+    @property
+    def mean(self) -> Floats:
+        """Mean error right after an update, in m."""
+        found: Floats = self.means.mean(axis=0)
+        return found
+
+    @property
+    def mean_error(self) -> Floats:
+        """Standard error of `mean`: runs are independent, updates of a run are not."""
+        return _standard_error(self.means)
+
+    @property
+    def mean_square(self) -> float:
+        """Mean square error right after an update, in m^2."""
+        return float(self.squares.mean())
+
+    @property
+    def mean_square_error(self) -> float:
+        """Standard error of `mean_square`; NaN for one run.
+
+        It means little near the limit of stability, where squares have no variance.
+        """
+        return float(_standard_error(self.squares))
+
+    @property
+    def curve(self) -> tuple[Floats, Floats]:
+        """Mean square after each update and its standard error, in m^2."""
+        mean = self.trajectory[:, 0] / self.runs
+        spread = np.maximum(self.trajectory[:, 1] / self.runs - mean * mean, 0.0)
+        return mean, np.sqrt(spread / max(self.runs - 1, 1))
+
+    def joined(self, other: BatchResult) -> BatchResult:
+        """Both as one: other runs of the same updates."""
+        return BatchResult(
+            np.concatenate([self.means, other.means]),
+            np.concatenate([self.squares, other.squares]),
+            self.trajectory + other.trajectory,
+            np.concatenate([self.errors, other.errors]),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class SpsaBatch:
+    """One block of cyclic SPSA, in many runs.
+
+    Parameters
+    ----------
+    hessian : array (D,) or (D, D)
+        Diagonal h, or H symmetric positive definite.
+    alpha, beta : float
+        Step size, and size of the perturbation in m, above 0.
+    noise : float or array (D, D), optional
+        Xi, the covariance of a measured position in m^2; a number is that multiple of the identity.
+    drift : float or array (D,), optional
+        eta, in m a sample.
+    reading : str, optional
+        ``two`` instants of measurement in a step, or ``one``.
+    blocks : int, optional
+        k: the block is updated every 2k samples.
+    law : str, optional
+        ``gaussian`` noise, or ``two_point``: the symmetric root of Xi times signs.
+
+    Raises
+    ------
+    InputError
+        By the names of `sensortrack bound`: H or h is not symmetric positive definite, Xi not
+        symmetric positive semidefinite, a number out of its range, or a size does not fit.
+    """
+
+    hessian: ArrayLike
+    alpha: float
+    beta: float
+    noise: ArrayLike = 0.0
+    drift: ArrayLike = 0.0
+    reading: str = "two"
+    blocks: int = 1
+    law: str = "gaussian"
+    recursion: Recursion = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        for name in ("alpha", "beta"):
+            if not (math.isfinite(getattr(self, name)) and getattr(self, name) > 0):
+                raise InputError(name, f"{getattr(self, name)}", "a number above 0 is needed")
+        for name, known in (("reading", (*READINGS,)), ("law", LAWS)):
+            if getattr(self, name) not in known:
+                needed = f"one of {', '.join(known)} is needed"
+                raise InputError(name, repr(getattr(self, name)), needed)
+        blocks = whole("k", self.blocks, 1, MOST)
+        hessian = hessian_of(self.hessian)
+        size = len(hessian)
+        found = Recursion(
+            hessian,
+            covariance_root(self.noise, size),
+            drift_of(self.drift, size),
+            float(self.alpha),
+            float(self.beta),
+            READINGS[self.reading],
+            blocks,
+            self.law == "gaussian",
+        )
+        object.__setattr__(self, "recursion", found)
+
+    def run(
+        self,
+        runs: int,
+        updates: int,
+        skip: int = 0,
+        seed: int = 0,
+        first_run: int = 0,
+        start: ArrayLike = 0.0,
+    ) -> BatchResult:
+        """Run and count.
+
+        Parameters
+        ----------
+        runs, updates : int
+            Of each, 1 or more.
+        skip : int, optional
+            Updates that are not counted, so that the start is forgotten.
+        seed : int, optional
+        first_run : int, optional
+            Number of the first run among those of this seed.
+        start : float or array (D,) or (runs, D), optional
+            theta_hat - theta at the second instant of the first step, before its update, in m.
+
+        Returns
+        -------
+        BatchResult
+
+        Raises
+        ------
+        InputError
+            A number is out of its range, or the start does not fit.
+        """
+        runs, updates = whole("runs", runs, 1, MOST), whole("updates", updates, 1, MOST)
+        first_run, skip = whole("first_run", first_run, 0, MOST), whole("skip", skip, 0, MOST)
+        if skip >= updates:
+            found = f"{skip} of {updates}"
+            raise InputError("skip", found, "one update at least is needed that counts")
+        size = self.recursion.size
+        tally = Tally(
+            start_of(start, runs, size),
+            np.zeros((runs, size)),
+            np.zeros(runs),
+            np.zeros((updates, 2)),
+        )
+        advance(self.recursion, tally, whole("seed", seed), first_run, skip)
+        counted = updates - skip
+        means, squares = tally.sums / counted, tally.squares / counted
+        return BatchResult(means, squares, tally.trajectory, tally.errors)
+
+    def run_to_width(
+        self,
+        width: float,
+        updates: int,
+        skip: int = 0,
+        seed: int = 0,
+        start: ArrayLike = 0.0,
+        pilot: int = 256,
+        most: int = 2**20,
+    ) -> BatchResult:
+        """As many runs as make the standard error of the mean square this part of it.
+
+        Parameters
+        ----------
+        width : float
+            Relative, above 0.
+        updates, skip, seed
+            As in `run`.
+        start : float or array (D,), optional
+            The same in all runs.
+        pilot : int, optional
+            Runs from which the number is estimated; they count.
+        most : int, optional
+            Runs beyond which it does not go, so that the width may be missed.
+        """
+        if not width > 0:
+            raise InputError("width", f"{width}", "a number above 0 is needed")
+        found = self.run(whole("pilot", pilot, 2, MOST), updates, skip, seed, 0, start)
+        spread = found.mean_square_error / found.mean_square if found.mean_square else 0.0
+        wanted = min(float(most), found.runs * (spread / width) ** 2)
+        more = math.ceil(wanted) - found.runs if math.isfinite(wanted) else 0
+        if more <= 0:
+            return found
+        return found.joined(self.run(more, updates, skip, seed, found.runs, start))
+
+    def with_step(self, alpha: float) -> SpsaBatch:
+        """The same block with another step size."""
+        return replace(self, alpha=alpha)
+
+
+def _standard_error(values: Floats) -> Floats:
+    if len(values) < 2:
+        return np.full(values.shape[1:], np.nan)
+    found: Floats = values.std(axis=0, ddof=1) / math.sqrt(len(values))
+    return found
