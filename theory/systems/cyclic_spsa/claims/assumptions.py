@@ -27,3 +27,12 @@ SEEN = Assumption(
 COUNTED = Assumption(
     "S8", "a pair of steps takes a operations for each active coordinate, b besides"
 )
+SAME_MEASUREMENT = Assumption("C1", "the weight comes from the measurement that it weighs")
+STEADY_WEIGHT = Assumption(
+    "C2", "the weight is the same for all outcomes, like max tr Xi over time"
+)
+CENTRED_POSITION = Assumption("C3", "the computed positions are right in the mean")
+COPIES = Assumption("C4", "every sensor has its own copy of all of theta")
+PARTS = Assumption("C5", "every sensor has its own part of theta, and no cost spans two parts")
+INDEPENDENT_ROWS = Assumption("C6", "H has l rows, l < d, and its rank is l")
+NOISY = Assumption("C7", "w_t is random and independent of what happened before t")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ....claims import Claim
+from . import cost
 from .assumptions import CENTRED, FIRST_ORDER, NOT_AT_SENSOR, QUADRANTS
 
 SYSTEM = "cyclic_spsa"
@@ -100,4 +101,13 @@ TRACE = Claim(
     assumes=(CENTRED, FIRST_ORDER),
 )
 
-CLAIMS: tuple[Claim, ...] = (ZERO_MEAN, INDEPENDENT, ANGLE, INVERSE, AXES, ROTATION, TRACE)
+CLAIMS: tuple[Claim, ...] = (
+    ZERO_MEAN,
+    INDEPENDENT,
+    ANGLE,
+    INVERSE,
+    AXES,
+    ROTATION,
+    TRACE,
+    *cost.CLAIMS,
+)

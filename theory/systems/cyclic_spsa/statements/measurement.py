@@ -5,6 +5,7 @@ from __future__ import annotations
 from ....algebra import polar
 from ....statements import Case, Statement
 from ..universal import Universal
+from . import cost
 
 PLANE = (
     dict.fromkeys("uvensrp", "vector: 2")
@@ -18,7 +19,7 @@ LAWS = PLANE | dict.fromkeys("wklo", "vector: N") | dict.fromkeys("vzt", "vector
 
 _SHAPE, _RADIAL, _PRINTED_RADIAL, _TRACE, _PRINTED_TRACE = polar.covariance()
 
-UNIVERSAL: tuple[Universal, ...] = (
+SIGHTS: tuple[Universal, ...] = (
     Universal(
         "eq_2_zero_mean_repair",
         "for independent laws of finitely many outcomes, of the angle's error with probabilities "
@@ -190,11 +191,14 @@ def _rotation() -> Statement:
     )
 
 
+UNIVERSAL: tuple[Universal, ...] = (*SIGHTS, *cost.UNIVERSAL)
+
 STATEMENTS: tuple[Statement, ...] = (
-    *(entry.statement for entry in UNIVERSAL),
+    *(entry.statement for entry in SIGHTS),
     _zero_mean(),
     _independent(),
     _angle(),
     _axes(),
     _rotation(),
+    *cost.STATEMENTS,
 )

@@ -10,6 +10,7 @@ from theory.algebra.moments import COSINE
 from verification.verdict import Decision, Verdict
 
 from ..measurement_figures import ellipses, mirrored
+from . import cost
 from .common import column, proofs, replayed
 
 SENSOR, TARGET = (150, 150), (180, 110)
@@ -184,4 +185,5 @@ DECISIONS: Mapping[str, Callable[[], Decision]] = {
     "cyclic_spsa.eq_14_axes": axes,
     "cyclic_spsa.eq_14_rotation": rotation,
     "cyclic_spsa.eq_14_trace": trace,
+    **cost.DECISIONS,
 }
