@@ -9,6 +9,8 @@ import numpy as np
 from sensortrack.networks import Network
 from verification.exact.filippov import filippov_run
 
+from .stability_samples import stable_step, stable_steps
+
 SLACK = 1e-9
 
 
@@ -163,10 +165,12 @@ TRUTHS = {
     "algebraic_connectivity": algebraic_connectivity,
     "step": step,
     "step_limit": step_limit,
+    "cyclic_spsa.step": stable_step,
+    "cyclic_spsa.step_limit": stable_steps,
 }
 
 
 def is_true(entry):
     """Whether the statement is true of the data that the checker prints, where that is known."""
-    known = TRUTHS.get(entry["name"])
+    known = TRUTHS.get(f"{entry['system']}.{entry['name']}", TRUTHS.get(entry["name"]))
     return known is None or bool(known(entry))

@@ -11,7 +11,8 @@ from verification.exact.rationals import below, nearest
 from verification.exact.roots import Algebraic
 
 from .block_inputs import Block
-from .candidates import Matrix, Stacked, leading
+from .iterated import leading
+from .stacked import Matrix, Stacked
 from .witnesses import (
     Item,
     algebraic_limit,
@@ -36,6 +37,8 @@ ALGEBRAIC = 4
 BITS = (128, 192, 320, 640, 1280)
 WIDTHS = tuple(Fraction(1, 10**k) for k in (12, 11, 10, 9, 8, 7, 6))
 DOUBLE_BITS = 40
+LARGE_BITS = (256, 512)
+NARROW = Fraction(1, 10**10)
 
 
 @dataclass(frozen=True)
@@ -79,7 +82,7 @@ def limit_of(block: Block) -> Limit | None:
     if block.diagonal:
         return _at_rational(block, diagonal_limit(block), diagonal_kept(block))
     if block.size > MOST_STACKED:
-        return _from_doubles(block)
+        return _from_iteration(block)
     stacked = Stacked(block)
     for bits in BITS:
         found = stacked.kept(bits)
@@ -155,12 +158,26 @@ def _kept_exactly(
     return None if found is None else (found, ())
 
 
-def _from_doubles(block: Block) -> Limit | None:
-    found = leading(block)
+def _from_iteration(block: Block) -> Limit | None:
+    """A large block: doubles, and many bits where they leave the bracket wide."""
+    widths = WIDTHS
+    best = None
+    for bits in (None, *LARGE_BITS):
+        best = _bracket(block, bits, widths) or best
+        if best is not None:
+            widths = tuple(w for w in WIDTHS if w < (best.upper - best.lower) / best.upper / 2)
+            if best.upper - best.lower <= NARROW * best.upper:
+                return best
+    return best
+
+
+def _bracket(block: Block, bits: int | None, widths: tuple[Fraction, ...]) -> Limit | None:
+    """The narrowest bracket that matrices of so many bits prove."""
+    found = leading(block, bits)
     if found is None:
         return None
-    near, p, z = found
-    for width in WIDTHS:
+    near, p, z = found.limit, found.kept, found.decaying
+    for width in widths:
         lower, upper = (Fraction(nearest(near * (1 + side * width / 2))) for side in (-1, 1))
         rows = rounded_decaying(block, z, lower, DOUBLE_BITS)
         growing = None if rows is None else rounded_growing(block, p, upper, DOUBLE_BITS)

@@ -14,13 +14,16 @@ from verification.exact.spectral import spectral_radius as matrix_radius
 from verification.input_kinds import positive
 
 from .block_inputs import Block, block_of
-from .candidates import Matrix, Stacked, leading_multiplier, whole
-from .limits import ALGEBRAIC, BITS, DOUBLE_BITS, MOST_STACKED, WIDTHS
+from .iterated import leading_multiplier
+from .limits import ALGEBRAIC, BITS, DOUBLE_BITS, LARGE_BITS, MOST_STACKED, WIDTHS
 from .moments import rows_of
+from .stacked import Matrix, Stacked, whole
 from .witnesses import ROUNDINGS, algebraic_radius, multiplies
 
 PLANE = 2
 """Coordinates up to which the operator may leave a singular second moment as it is."""
+
+TIGHT = WIDTHS[:3]
 
 FLOATING = "computed in doubles; no bounds of relative width 1e-6 were proved"
 
@@ -94,12 +97,16 @@ def _proved(
 
 
 def _large(block: Block, step: Fraction) -> Answer:
-    found = leading_multiplier(block, step)
-    if found is None:
+    near = None
+    for bits, widths in ((None, TIGHT), (LARGE_BITS[0], WIDTHS), (LARGE_BITS[1], WIDTHS)):
+        found = leading_multiplier(block, step, bits)
+        if found is None:
+            continue
+        near, p = found
+        for width in widths:
+            ends = _proved(block, step, near, p, width / 2, DOUBLE_BITS)
+            if ends is not None:
+                return _answer(None, nearest(near), *ends)
+    if near is None:
         return Answer(verdict="UNDECIDED", notes=(FLOATING,))
-    near, p = found
-    for width in WIDTHS:
-        ends = _proved(block, step, near, p, width / 2, DOUBLE_BITS)
-        if ends is not None:
-            return _answer(None, nearest(near), *ends)
     return Answer(value=nearest(near), notes=(FLOATING,))

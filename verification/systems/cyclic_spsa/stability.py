@@ -14,9 +14,9 @@ from verification.exact.rationals import above, below
 from verification.input_kinds import positive
 
 from .block_inputs import Block, block_of
-from .candidates import Stacked
 from .limits import BITS, MOST_STACKED, Limit, decaying_at, limit_of
 from .moments import noise_moments
+from .stacked import Stacked
 from .witnesses import around, identity_of, items, kept_at, rounded_growing
 
 USABLE = 1e-6

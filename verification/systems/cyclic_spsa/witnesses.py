@@ -12,8 +12,8 @@ from verification.exact.evaluate import Rows
 from verification.exact.roots import Algebraic, root_between
 
 from .block_inputs import Block
-from .candidates import Matrix, Stacked, symmetric, whole
 from .moments import exact_operators, fmpq, noise_moments, rows_of
+from .stacked import Matrix, Stacked, symmetric, whole
 
 ROUNDINGS = (24, 32, 40, 48, 56, 64, 80, 96, 128, 192, 256, 384, 512, 768, 1024)
 """Bits to which candidates are rounded, the first that do are kept: files stay short."""

@@ -1,31 +1,24 @@
-"""Candidates for the matrices that show where mean-square stability ends; nothing here is trusted.
+"""Second moments of a small block as solutions of linear equations in as many bits as it takes.
 
-The limit is 1/mu with mu the spectral radius of T = (pull)^-1 (kick), which keeps positive
-semidefinite matrices so. Small blocks solve for the entries of the symmetric matrix in as many bits
-as it takes; large ones iterate in doubles, in the basis of the Hessian's eigenvectors, where
-dividing by the sums of eigenvalues undoes the pull.
+The unknowns are the entries on and below the diagonal of a symmetric matrix. What is found is a
+candidate: nothing here is trusted.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from verification.exact.balls import half_exponent
 from verification.exact.evaluate import Rows
 from verification.exact.modes import exact, middle
 
 from .block_inputs import Block
-from .moments import double_operators, exact_operators
+from .moments import exact_operators
 
-Floats = NDArray[np.float64]
 Matrix = list[list[Fraction]]
 STEPS = 60
 """Of the inverse iteration; it converges faster than linearly."""
@@ -166,73 +159,6 @@ def _solved(a: Any, b: Any) -> Any | None:
 
 def _fractions(matrix: list[list[Any]]) -> Matrix:
     return [[exact(x) for x in row] for row in matrix]
-
-
-def leading(block: Block) -> tuple[Fraction, Matrix, Matrix] | None:
-    """The limit, P and Z, in doubles; None where doubles do not reach.
-
-    Parameters
-    ----------
-    block : Block
-
-    Returns
-    -------
-    limit : Fraction
-    P, Z : list of list of Fraction
-        limit K(HPH) = HP + PH and limit K*(HZH) = HZ + ZH, about.
-    """
-    operators = double_operators(block)
-    with np.errstate(all="ignore"):
-        values, vectors = np.linalg.eigh(operators.hessian)
-        if not values[0] > 0:
-            return None
-        sums = values[:, None] + values[None, :]
-
-        def undone(kick: Callable[[Any], Any]) -> Callable[[Floats], Floats]:
-            return lambda p: vectors @ ((vectors.T @ kick(p) @ vectors) / sums) @ vectors.T
-
-        first = _perron(undone(operators.kick), block.size)
-        second = _perron(undone(operators.adjoint_kick), block.size)
-    if first is None or second is None or not 0 < first[0] < math.inf:
-        return None
-    return Fraction(1 / first[0]), _exact(first[1]), _exact(second[1])
-
-
-def leading_multiplier(block: Block, step: Fraction) -> tuple[Fraction, Matrix] | None:
-    """The spectral radius r of one update and P with L(P) = rP, in doubles."""
-    operators, alpha = double_operators(block), float(step)
-    with np.errstate(all="ignore"):
-        found = _perron(
-            lambda p: p - alpha * operators.pull(p) + alpha**2 * operators.kick(p), block.size
-        )
-    if found is None or not 0 < found[0] < math.inf:
-        return None
-    return Fraction(found[0]), _exact(found[1])
-
-
-def _perron(step: Callable[[Floats], Floats], size: int) -> tuple[float, Floats] | None:
-    """Spectral radius and eigenmatrix of an operator that keeps semidefinite matrices so."""
-    from scipy.sparse.linalg import ArpackError, LinearOperator, eigs
-
-    def flat(x: Floats) -> Floats:
-        return step(x.reshape(size, size)).ravel()
-
-    operator = LinearOperator((size**2, size**2), matvec=flat, dtype=float)
-    try:
-        values, found = eigs(operator, k=1, which="LR", v0=np.eye(size).ravel(), tol=0)
-    except ArpackError:
-        return None
-    matrix = found[:, 0].real.reshape(size, size)
-    matrix = (matrix + matrix.T) / (2 * np.trace(matrix))
-    for _ in range(2):  # what rounding left of other eigenmatrices
-        matrix = step(matrix)
-        matrix /= np.trace(matrix)
-    usable = bool(np.isfinite(matrix).all())
-    return (float(values[0].real), (matrix + matrix.T) / 2) if usable else None
-
-
-def _exact(matrix: Floats) -> Matrix:
-    return [[Fraction(x) for x in row] for row in matrix.tolist()]
 
 
 def whole(matrix: Matrix, bits: int) -> Rows:
