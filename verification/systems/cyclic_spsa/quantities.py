@@ -5,11 +5,13 @@ from __future__ import annotations
 from verification.answers import Condition, Quantity
 
 from . import own_questions
+from .best_step import best_step
 from .block_inputs import ALPHA, BLOCK
 from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
 from .measurement_moments import MEASUREMENT, measurement_moments
 from .radius import spectral_radius
 from .stability import decide_step, step_limit
+from .stationary import BEST, MEAN, MEAN_SQUARE, stationary_mean, stationary_mse
 
 QUANTITIES: tuple[Quantity, ...] = (
     Quantity("step_limit", "supremum of alpha with mean-square stability", BLOCK, step_limit, True),
@@ -39,6 +41,27 @@ QUANTITIES: tuple[Quantity, ...] = (
         "the bound that the proof of Theorem 1 gives once repaired",
         ERROR,
         corrected_bound,
+        False,
+    ),
+    Quantity(
+        "stationary_mean",
+        "where the mean error right after an update settles",
+        MEAN,
+        stationary_mean,
+        False,
+    ),
+    Quantity(
+        "stationary_mse",
+        "where the mean square of that error settles",
+        MEAN_SQUARE,
+        stationary_mse,
+        False,
+    ),
+    Quantity(
+        "best_step",
+        "[alpha, root-mean-square error] where that mean square is least",
+        BEST,
+        best_step,
         False,
     ),
     Quantity(
