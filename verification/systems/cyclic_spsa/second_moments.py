@@ -21,8 +21,8 @@ from verification.exact.balls import ball_ldl
 from verification.exact.modes import doubles, middle
 
 from .block_inputs import Block
-from .candidates import Stacked, places, symmetric
 from .moments import FLINT, Operators, double_operators, exact_operators, noise_moments
+from .stacked import Stacked, places, symmetric
 
 DIRECT_UP_TO = 12
 """Coordinates up to which a full Hessian is solved by elimination."""
