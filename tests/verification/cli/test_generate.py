@@ -195,12 +195,17 @@ def test_a_block_has_as_many_coordinates_as_its_hessian(tmp_path, given, size, c
     assert len(manifest["layout"]["state"]) == size
 
 
-def test_a_step_that_is_unstable_without_noise_is_remarked_on(tmp_path, capsys):
-    hessian = ("--set", "h=[1, 1, 2, 2]")
-    block(tmp_path / "a", *hessian, "--set", "alpha=0.33", target="python")
+@pytest.mark.parametrize(
+    "hessian,below,limit",
+    [("h=[1, 1, 2, 2]", "0.33", "1/3"), ("H=[[1,0.9],[0.9,1]]", "0.52", "10/19")],
+)
+def test_a_step_that_is_unstable_without_noise_is_remarked_on(
+    tmp_path, capsys, hessian, below, limit
+):
+    block(tmp_path / "a", "--set", hessian, "--set", f"alpha={below}", target="python")
     assert "not stable" not in capsys.readouterr().err
-    block(tmp_path / "b", *hessian, "--set", "alpha=1/3", target="python")
-    assert "alpha = 1/3 is not stable" in capsys.readouterr().err
+    block(tmp_path / "b", "--set", hessian, "--set", f"alpha={limit}", target="python")
+    assert f"alpha = {limit} is not stable" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

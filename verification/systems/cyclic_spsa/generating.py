@@ -12,6 +12,7 @@ from verification.exact.evaluate import Rows, identity, scaled
 from verification.input_kinds import positive
 
 from .block_inputs import ALPHA, BETA, HESSIAN, hessian_of
+from .stability import decide_step
 
 __all__ = ["INPUTS", "STEPPER", "constants"]
 
@@ -72,14 +73,13 @@ def _size(own: int, name: str, coordinates: int | None) -> int:
 
 
 def _warning(given: Mapping[str, Rows]) -> str:
-    """Without noise the limit of the step is the largest: beyond it nothing helps."""
+    """Without noise and drift the limit of the step is the largest: beyond it nothing helps."""
     if not {"H", "alpha"} <= {*given}:
         return ""
-    hessian, alpha = given["H"], given["alpha"][0][0]
-    trace = sum((hessian[i][i] for i in range(len(hessian))), start=Fraction(0))
-    if any(x for i, row in enumerate(hessian) for j, x in enumerate(row) if i != j):
-        return ""
-    if alpha * trace < 2:
+    n, alpha = len(given["H"]), given["alpha"][0][0]
+    quiet = {"Xi": scaled(Fraction(0), identity(n)), "eta": (Fraction(0),) * n}
+    block = {"h": None, "H": given["H"], "beta": Fraction(1), "reading": "one", "k": Fraction(1)}
+    if decide_step({**block, **quiet, "alpha": alpha}).verdict != "REFUTED":
         return ""
     return (
         f"alpha = {alpha} is not stable even without noise: "
