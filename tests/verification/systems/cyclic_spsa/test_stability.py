@@ -212,7 +212,7 @@ def test_a_rational_limit_of_a_full_hessian_is_kept_exactly(size, coupling, limi
     assert decide_step(values | {"alpha": limit}).certificate["case"] == "REFUTED exact"
     assert decide_step(values | {"alpha": limit - Fraction(1, 10**30)}).verdict == "PROVED"
     assert decide_step(values | {"alpha": limit + Fraction(1, 10**30)}).verdict == "REFUTED"
-    assert step_limit(values).value == float(limit)
+    assert step_limit(values).value == pytest.approx(float(limit), rel=1e-15)
 
 
 def test_errors_on_a_line_are_kept_at_and_above_the_limit():
@@ -222,7 +222,7 @@ def test_errors_on_a_line_are_kept_at_and_above_the_limit():
         assert decided.verdict == verdict
     across = ((Fraction(1), Fraction(-1)), (Fraction(-1), Fraction(1)))
     noisy = [step_limit(values | {"Xi": scaled(size, across)}) for size in (Fraction(1, 3), 300)]
-    assert [answer.certificate["case"] for answer in noisy] == ["PROVED line", "PROVED"]
+    assert [answer.certificate["case"] for answer in noisy] == ["PROVED line", "PROVED exact"]
     assert noisy[1].value < noisy[0].value == 10 / 19
     quiet = block(H=((COUPLED[0][0], -COUPLED[0][1]), (-COUPLED[0][1], COUPLED[0][0])))
     assert step_limit(quiet).exact == {"kind": "rational", "value": "10/19"}
