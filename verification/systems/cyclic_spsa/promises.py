@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from theory.systems.cyclic_spsa.bounds import PRINTED, Bound, table
+from theory.systems.cyclic_spsa.target_bound import PRINTED_2
 
 UNIT = 10**8
 ONES, ZEROS = ("d", "k", "mu", "M"), ("delta", "c2", "c3", "c4", "c_v2")
@@ -35,5 +36,25 @@ def promised(given: Mapping[str, Fraction | int], bound: Bound = PRINTED) -> dic
         The constants and every line; ``bound`` is not below what is promised.
     """
     known = dict.fromkeys(ONES, 1) | dict.fromkeys(ZEROS, 0) | dict(given)
-    exact = {name: Fraction(value) for name, value in known.items()}
+    return _exact(bound, known)
+
+
+def promised_2(given: Mapping[str, Fraction | int]) -> dict[str, Fraction]:
+    """Every line of the bound of Theorem 2.
+
+    Parameters
+    ----------
+    given : mapping of str to Fraction or int
+        The names of `target_bound.GIVEN_2` without roots.
+
+    Returns
+    -------
+    dict of str to Fraction
+        As `promised`.
+    """
+    return _exact(PRINTED_2, given)
+
+
+def _exact(bound: Bound, given: Mapping[str, Fraction | int]) -> dict[str, Fraction]:
+    exact = {name: Fraction(value) for name, value in given.items()}
     return {name: Fraction(value) for name, value in table(bound, exact, root_above).items()}

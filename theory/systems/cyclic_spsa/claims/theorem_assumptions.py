@@ -19,3 +19,9 @@ CONSTANT_COST = Assumption(
 )
 IN_INTERVAL = Assumption("T1", "the step is in the printed interval")
 RANDOM_DRIFT = Assumption("T2", "the drift is random, of mean zero, and bounded in the mean square")
+WEIGHTS = Assumption("W1", "the cost is (20): weights K/(n sigma^2), sigma^2 the largest tr Xi")
+INDEPENDENT_NOISE = Assumption(
+    "W2", "the noise xi has mean zero and fourth moment M_4 at most, and is new in every sample"
+)
+EVERY_POINT = Assumption("W3", "the change of the cost is meant at every point x")
+SPEEDS = Assumption("W4", "target i moves by at most delta_i in a sample")

@@ -30,7 +30,7 @@ STATEMENTS: tuple[Statement, ...] = (
 
 PROOFS: Mapping[str, tuple[Identity, ...]] = {
     entry.name: entry.proof
-    for part in (measurement, schedule, theorem_1, theorem_2)
+    for part in (measurement, schedule, theorem_1, theorem_2, experiment)
     for entry in part.UNIVERSAL
 }
 """The identities that prove a universal statement, by its name."""

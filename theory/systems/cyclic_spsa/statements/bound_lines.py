@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from ..bounds import GIVEN, PRINTED, Bound, Definition
 
@@ -10,9 +10,9 @@ Cost = Callable[[str], str]
 SIGNS = ("1", "-1")
 
 
-def inputs_of(bound: Bound) -> dict[str, str]:
+def inputs_of(bound: Bound, given: Iterable[str] = GIVEN) -> dict[str, str]:
     """The constants and every line, all of them numbers."""
-    names = [*GIVEN, *(line.name for line in bound.definitions), "root_q"]
+    names = [*given, *(line.name for line in bound.definitions), "root_q"]
     return dict.fromkeys(names, "number")
 
 

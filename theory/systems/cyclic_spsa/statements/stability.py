@@ -91,6 +91,9 @@ def _kept_line(limit: str) -> str:
     return f"exists(x, T(x)*x > 0, exists(Q, Q == {q}, {limit}*({kick}) == {pull}))"
 
 
+NOT_DECAYING = f"exists(c, alpha >= c, c > 0, {_kept('c')})"
+"""The second moments do not all tend to zero at alpha: at a step c <= alpha some are kept."""
+
 BELOW = _decaying("a", "forall(a, 0, lower, {})")
 STABLE = "the second moments of the homogeneous error tend to 0 for every step 0 < alpha <= lower"
 LIMIT_WORDS = FOR_DATA + STABLE + ", and for no step alpha >= upper"
@@ -131,7 +134,7 @@ def _step() -> Statement:
         "REFUTED exact": (
             "REFUTED",
             grow + "at some step c <= alpha, a definite one is kept",
-            f"exists(c, alpha >= c, c > 0, {_kept('c')})",
+            NOT_DECAYING,
         ),
         "REFUTED line": (
             "REFUTED",
