@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from .identities import ONE, Identity
+from .identities import ONE, Identity, Square
 from .noncommuting import Form, letters, scalars
 from .rewriting import derive
 
@@ -72,6 +72,36 @@ def error() -> tuple[Identity, ...]:
     }
     read = P - S - RHO * (ONE + D) * (A * E + B * N)
     return _family((*FRAME, R - S - RHO * E, read), (*FRAME_WORDS, "r", "p"), goals)
+
+
+def fourth_moment() -> tuple[Identity, ...]:
+    """The error is at most rho (1 + p), p being the measured distance over the true one.
+
+    Returns
+    -------
+    tuple of Identity
+        Scalars ``rho``, ``p``, ``c`` = 1 + the cosine of the angle error.
+    """
+    p, c = scalars("p c")
+    square = p * p + ONE - 2 * (p * (c - ONE))
+    goal = RHO * RHO * ((ONE + p) * (ONE + p) - square)
+    least = [Square(2 * (RHO * RHO * p * c), ONE, ONE)]
+    return (derive("|p - r|^2 <= rho^2 (1 + p)^2", goal, (), {}, least),)
+
+
+def unbounded() -> tuple[Identity, ...]:
+    """For every bound there is a distance at which the fourth power of the error exceeds it.
+
+    Returns
+    -------
+    tuple of Identity
+        Scalars ``B`` (the bound is its square), ``c`` (squared error at the distance 1), ``q`` (the
+        squared distance).
+    """
+    bound, c, q = scalars("B c q")
+    relations = (q * c - bound - ONE,)
+    goal = q * q * c * c - bound * bound - 2 * bound - ONE
+    return (derive("(q c)^2 = B^2 + 2B + 1", goal, relations, {0: "c q"}),)
 
 
 def mean_position() -> tuple[Identity, ...]:

@@ -123,3 +123,16 @@ def test_a_constant_step_lags_by_drift_over_step(alpha):
     for _ in range(int(40 / alpha)):
         error -= alpha * error + 1
     assert error == pytest.approx(-1 / alpha)
+
+
+def test_the_schedule_of_the_estimators_is_the_unambiguous_one():
+    """Written twice, in packages that do not know each other."""
+    from sensortrack.schedules import Schedule, Turn
+
+    for k in (1, 2, 5):
+        blocks = [[f"target {u}"] for u in range(k)]
+        made = Schedule(blocks, {block[0]: "sensor" for block in blocks})
+        assert made.period == 2 * k
+        for pair in schedule.pairs(k, 3):
+            for t in (pair.t - 1, pair.t):
+                assert made.turn(t) == Turn(pair.cycle, schedule.active(k, t), t == pair.t)

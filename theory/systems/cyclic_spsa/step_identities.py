@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from ...algebra.identities import ONE, Identity, Square
+from ...algebra.identities import ONE, Identity, Square, Zero, hypotheses, identity
 from ...algebra.noncommuting import Form, letters, scalars
 from ...algebra.rewriting import derive
 
@@ -77,6 +77,31 @@ def inactive() -> tuple[Identity, ...]:
     thinned, full = a * x - q, x - q
     goals = {"equal costs": thinned.T * active * thinned - full.T * active * full}
     return _proved({"A A": a * a - a}, goals)
+
+
+def same_measurement() -> tuple[Identity, ...]:
+    """Inactive targets drop out of the difference of two costs with the same measurement.
+
+    Returns
+    -------
+    tuple of Identity
+        Letters ``A`` (1 on the diagonal at active coordinates, else 0), ``H`` (without terms
+        across), ``x y`` (two points), ``q`` (what is measured).
+    """
+    a, h = letters("A H", ("A", "H"))
+    x, y, q = letters("x y q")
+    relations = (a * h - a * h * a,)
+    (across,) = hypotheses(relations)
+
+    def surplus(point: Form) -> Form:
+        thinned, full = a * point - q, point - q
+        return thinned.T * h * thinned - full.T * a * h * a * full
+
+    def taken(point: Form) -> Zero:
+        return across.between(point.T, q) + across.T.between(q.T, point)
+
+    goal = surplus(x) - surplus(y)
+    return (identity("equal differences", goal, relations, taken(y) - taken(x)),)
 
 
 def sender() -> tuple[Identity, ...]:

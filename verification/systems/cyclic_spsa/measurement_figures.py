@@ -55,9 +55,11 @@ def ellipses(distance: float, along: float, across: float) -> Plot:
         Deviations of the position along the line of sight and across it, in km.
     """
 
-    def ellipse(wide: float, high: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        x = tuple(wide * math.cos(t) for t in TURN)
-        return x, tuple(distance + high * math.sin(t) for t in TURN)
+    def ellipse(
+        wide: float, high: float, start: float
+    ) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        x = tuple(wide * math.cos(start + t) for t in TURN)
+        return x, tuple(distance + high * math.sin(start + t) for t in TURN)
 
     reach = 1.4 * max(along, across)
     return Plot(
@@ -69,8 +71,8 @@ def ellipses(distance: float, along: float, across: float) -> Plot:
         y=Axis("along it", "km", distance - reach, distance + reach, ticks=(distance,)),
         curves=(
             Curve("guide", (0.0, 0.0), (distance - reach, distance + reach)),
-            Curve("sharp", *ellipse(across, along), "correct"),
-            Curve("printed", *ellipse(along, across), "printed"),
+            Curve("sharp", *ellipse(across, along, math.pi / 2), "correct"),
+            Curve("printed", *ellipse(along, across, 0.0), "printed"),
         ),
         dots=(Dots("held", (0.0,), (distance,), "target"),),
         equal=True,

@@ -26,7 +26,7 @@ def blocks_over_time(k: int, cycles: int) -> Plot:
         title=f"Active block of {k}, instant by instant",
         finding="The printed index changes within every pair of instants, the block between them.",
         caption="A pair, an odd instant and the even one after it, takes its two costs in one "
-        "block. The printed index (dashed) changes in between, at the marked instants.",
+        "block. The printed index (dashed) changes in between: at the diamonds it is another one.",
         x=Axis("instant t", "", 0.5, last + 0.5),
         y=Axis("block", "", -0.3, k + 0.3, ticks=tuple(float(u) for u in range(k + 1))),
         curves=(
@@ -38,7 +38,7 @@ def blocks_over_time(k: int, cycles: int) -> Plot:
                 "refuting",
                 tuple(float(t) for t in split),
                 tuple(float(printed_active(k, t)) for t in split),
-                "another block",
+                "",
             ),
         ),
     )

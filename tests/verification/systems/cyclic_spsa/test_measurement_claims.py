@@ -110,3 +110,22 @@ def test_errors_over_distance_have_one_law_at_all_distances():
     )
     assert near / 3 == pytest.approx(far / 12)
     assert np.mean(far**2) == pytest.approx(16 * np.mean(near**2))
+
+
+@given(st.floats(-math.pi, math.pi), st.floats(-2, 3), st.floats(0.1, 300))
+def test_the_error_is_at_most_the_sum_of_both_distances(turn, ratio, rho):
+    """The measured distance is `ratio` times the true one, negative by a gross error."""
+    miss = polar((0, 0), turn, ratio * rho) - polar((0, 0), 0, rho)
+    assert np.linalg.norm(miss) <= rho * (1 + abs(ratio)) * (1 + 1e-12)
+
+
+def test_the_fourth_moment_grows_as_the_fourth_power_of_the_distance():
+    sigma = math.radians(0.5)
+    moments = [
+        sum(
+            w * np.linalg.norm(polar((0, 0), sigma * x, rho) - polar((0, 0), 0, rho)) ** 4
+            for x, w in zip(HERMITE, WEIGHTS, strict=True)
+        )
+        for rho in (1.0, 10.0)
+    ]
+    assert moments[1] == pytest.approx(1e4 * moments[0])

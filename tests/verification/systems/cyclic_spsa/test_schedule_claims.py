@@ -65,8 +65,11 @@ def test_what_an_inactive_coordinate_adds_is_the_mean_square_of_four_outcomes():
     ]
     decision = DECISIONS["cyclic_spsa.algorithm_1_inactive_observed"]()
     assert np.mean(extra) == pytest.approx(0)
-    assert decision.sharp_value == pytest.approx(np.mean(np.square(extra)), rel=1e-12)
-    assert decision.sharp_value == pytest.approx((h * r * d / beta) ** 2 / 2, rel=1e-12)
+    document = decision.certificates["cyclic_spsa.algorithm_1_inactive_observed"]
+    square = float(document["inputs"]["n"])
+    assert square == pytest.approx(np.mean(np.square(extra)), rel=1e-12)
+    assert square == pytest.approx((h * r * d / beta) ** 2 / 2, rel=1e-12)
+    assert "106066 km" in decision.reason
 
 
 def test_one_measurement_for_both_costs_adds_nothing():
@@ -82,6 +85,19 @@ def test_one_measurement_for_both_costs_adds_nothing():
         for mask in (np.ones(4), active)
     )
     assert observed[0] - observed[1] == pytest.approx(alone[0] - alone[1], rel=1e-6)
+
+
+def test_a_hessian_across_targets_spoils_even_that():
+    """AH = AHA is needed: with terms across, inactive measurements do not cancel."""
+    rng = np.random.default_rng(6)
+    half = rng.normal(size=(4, 4))
+    h, a = half @ half.T, np.diag([1.0, 1, 0, 0])
+    block = a @ h @ a + (np.eye(4) - a) @ h @ (np.eye(4) - a)
+    x, y, q = (rng.normal(size=4) for _ in range(3))
+    for matrix, equal in ((block, True), (h, False)):
+        whole = [(a @ p - q) @ matrix @ (a @ p - q) for p in (x, y)]
+        alone = [(p - q) @ a @ matrix @ a @ (p - q) for p in (x, y)]
+        assert math.isclose(whole[0] - whole[1], alone[0] - alone[1]) is equal
 
 
 def test_the_cost_of_active_targets_does_not_see_the_others():

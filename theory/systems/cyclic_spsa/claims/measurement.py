@@ -34,6 +34,19 @@ INDEPENDENT = Claim(
     printed="independent",
 )
 
+FOURTH_MOMENT = Claim(
+    id="cyclic_spsa.eq_2_fourth_moment",
+    system=SYSTEM,
+    source="Erofeeva & Granichin, (2), fourth moment",
+    title="One number bounds the fourth moment of the position's error for all targets",
+    statement="There is a number M_4 that the mean of |xi|^4 never exceeds, wherever sensors and "
+    "targets are.",
+    formula=r"E\lVert\xi\rVert^4\le M_4",
+    sense="upper",
+    assumes=(CENTRED, QUADRANTS),
+    printed="some M_4",
+)
+
 ANGLE = Claim(
     id="cyclic_spsa.eq_11_angle",
     system=SYSTEM,
@@ -104,10 +117,14 @@ TRACE = Claim(
 CLAIMS: tuple[Claim, ...] = (
     ZERO_MEAN,
     INDEPENDENT,
+    FOURTH_MOMENT,
+    *cost.MEAN_COSTS,
     ANGLE,
     INVERSE,
+    cost.MEASURED_VARIANCE,
     AXES,
     ROTATION,
     TRACE,
-    *cost.CLAIMS,
+    cost.EXACT_TRACE,
+    *cost.WEIGHTS,
 )

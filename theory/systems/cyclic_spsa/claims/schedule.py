@@ -12,6 +12,7 @@ from .assumptions import (
     ONE_INSTANT,
     PERTURBATION,
     SEEN,
+    TWO_INSTANTS,
     WHOLE_NUMBERS,
     WHOLE_SUM,
 )
@@ -38,7 +39,7 @@ BLOCKS = Claim(
     title="Any partition of the coordinates into blocks serves, also one that splits a target",
     statement="Blocks need to be disjoint and to cover all coordinates, and no more, for the "
     "pseudogradient to be made of the active coordinates' errors.",
-    formula=r"\bigcup_u I_u=D,\qquad I_u\cap I_{u'}=\emptyset",
+    formula=r"\bigcup_u I_u=D,\qquad I_u\cap I_v=\emptyset",
     sense="property",
     assumes=(WHOLE_SUM,),
     printed="any partition",
@@ -50,8 +51,8 @@ INDEX = Claim(
     source="Erofeeva & Granichin, section 3, after (15)",
     title="The number (t mod 2k) div 2 is that of the active block at both instants of a pair",
     statement="At the instants 2k(T-1) + 2u - 1 and 2k(T-1) + 2u the active index (t mod 2k) div 2 "
-    "is one and the same, that of block u.",
-    formula=r"(t\bmod 2k)\div 2=u\quad\text{at}\quad t=2k(T-1)+2u-1,\ 2k(T-1)+2u",
+    "is one and the same, so that it names block u.",
+    formula=r"(t\bmod 2k)\div 2=((t-1)\bmod 2k)\div 2,\qquad t\ \text{even}",
     sense="equality",
     assumes=(WHOLE_NUMBERS,),
     printed="(t mod 2k) div 2",
@@ -188,13 +189,25 @@ INACTIVE_OBSERVED = Claim(
     id="cyclic_spsa.algorithm_1_inactive_observed",
     system=SYSTEM,
     source="Erofeeva & Granichin, Algorithm 1, steps 3.2 and 3.5, and (20)",
-    title="Zeros at inactive coordinates add nothing if the cost has all observed targets",
+    title="Zeros at inactive coordinates add nothing to costs of all targets at two instants",
     statement="With the sum of (20) over all observed targets, those that are not active drop out "
-    "of the difference of the two costs.",
+    "of the difference of the two costs, each with the measurement of its own instant.",
     formula=r"\frac{f_t(Ax_t)-f_{t-1}(Ax_{t-1})}{2\beta}\ \text{free of inactive targets}",
     sense="property",
-    assumes=(OBSERVED_SUM,),
+    assumes=(OBSERVED_SUM, TWO_INSTANTS),
     printed="nothing is added",
+)
+
+INACTIVE_SAME = Claim(
+    id="cyclic_spsa.algorithm_1_inactive_same",
+    system=SYSTEM,
+    source="Erofeeva & Granichin, Algorithm 1, steps 3.2 and 3.5, and (20)",
+    title="Zeros at inactive coordinates add nothing to costs of all targets at one instant",
+    statement="With the sum of (20) over all observed targets, those that are not active drop out "
+    "of the difference of the two costs, both with the same measurement.",
+    formula=r"f_t(Ax_t)-f_t(Ax_{t-1})\ \text{free of inactive targets}",
+    sense="property",
+    assumes=(OBSERVED_SUM, ONE_INSTANT),
 )
 
 CHEAP = Claim(
@@ -224,5 +237,6 @@ CLAIMS: tuple[Claim, ...] = (
     PREVIOUS,
     INACTIVE_ACTIVE,
     INACTIVE_OBSERVED,
+    INACTIVE_SAME,
     CHEAP,
 )

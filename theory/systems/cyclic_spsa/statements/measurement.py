@@ -17,6 +17,11 @@ PLANE = (
 """Symbols of `theory.algebra.polar`, without those of laws of the noise."""
 LAWS = PLANE | dict.fromkeys("wklo", "vector: N") | dict.fromkeys("vzt", "vector: M")
 
+MOMENTS = {"B": "nonnegative", "c": "nonnegative", "q": "positive"} | {
+    "rho": "positive",
+    "p": "nonnegative",
+}
+
 _SHAPE, _RADIAL, _PRINTED_RADIAL, _TRACE, _PRINTED_TRACE = polar.covariance()
 
 SIGHTS: tuple[Universal, ...] = (
@@ -37,6 +42,23 @@ SIGHTS: tuple[Universal, ...] = (
         "depends on the noise alone; its square is rho^2 ((1 + d)^2 + 1 - 2 (1 + d) a)",
         polar.error(),
         PLANE,
+    ),
+    Universal(
+        "eq_2_fourth_moment",
+        "for an angle that errs, so that the squared error of the position at the distance 1 is c "
+        "> 0: at the squared distance q = (B + 1)/c the fourth power of the error is B^2 + 2B + 1, "
+        "above the bound B^2, whatever B is",
+        polar.unbounded(),
+        MOMENTS,
+        verdict="REFUTED",
+    ),
+    Universal(
+        "eq_2_fourth_moment_repair",
+        "for the distance rho, measured as p times rho, and an angle whose error has the cosine c "
+        "- 1: the squared error of the position is at most rho^2 (1 + p)^2, so that its fourth "
+        "power is at most rho^4 (1 + p)^4",
+        polar.fourth_moment(),
+        MOMENTS,
     ),
     Universal(
         "eq_13_inverse",

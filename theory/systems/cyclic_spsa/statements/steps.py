@@ -11,7 +11,7 @@ STEPS = dict.fromkeys(("D", "x", "g", "f", "a", "b"), "vector: d") | {
     "alpha": "positive",
     "q": "positive",
 }
-COSTS = {"A": "symmetric: d", "H": "symmetric: d", "x": "vector: d", "q": "vector: d"}
+COSTS = {"A": "symmetric: d", "H": "symmetric: d", **dict.fromkeys("xyq", "vector: d")}
 PLACES = dict.fromkeys("ersqpo", "vector: 2") | {"rho": "positive"}
 LAGS = {
     **dict.fromkeys(("x", "y", "e", "f", "c"), "real"),
@@ -52,6 +52,14 @@ UNIVERSAL: tuple[Universal, ...] = (
         "alone, of the Hessian AHA: it is the same at Ax, where inactive coordinates are zero, and "
         "at x",
         step_identities.inactive(),
+        COSTS,
+    ),
+    Universal(
+        "algorithm_1_inactive_same",
+        "for the matrix A with 1 at active coordinates and a Hessian H with AH = AHA, all of "
+        "observed targets: the cost at Ax less that at Ay, with the same measured q, is the cost "
+        "of the active targets at x less that at y",
+        step_identities.same_measurement(),
         COSTS,
     ),
     Universal(

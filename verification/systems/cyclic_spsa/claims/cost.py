@@ -26,7 +26,6 @@ def mean_risk() -> Decision:
     a, b = VARIANCES
     k = a + b
     scale = k / 2 * (1 / a + 1 / b)
-    needed = 2 / (1 / a + 1 / b)
     rows = [("variances", "printed K, p = 0", "mean risk over (3)", "K for which it is 1")]
     for one, two in ((a, a), (a, b), (a, 100 * a)):
         total, right = one + two, 2 / (1 / one + 1 / two)
@@ -39,8 +38,6 @@ def mean_risk() -> Decision:
         "target and is one constant.",
         printed="K = p sigma_min^2 + (1 - p) sum of variances",
         sharp="K = n/(sum of 1/variance), for each target",
-        printed_value=float(k),
-        sharp_value=float(needed),
         margin_text="too large by 25/8 for variances 1 and 4",
         repair="The mean of the cost is (3) if and only if K, for each target, is the harmonic "
         "mean of the variances of its n sensors; the mean squares of their errors add a constant.",
@@ -153,7 +150,7 @@ def measured_variance() -> Decision:
         margin_text="1 + sigma_rho^2 too large in the mean, 0.25 % at 5 %",
         repair="(rho sigma_rho)^2 with the true distance; (z2 sigma_rho)^2/(1 + sigma_rho^2) has "
         "that mean, for every law of mean zero.",
-        repair_formula=r"E\,\frac{(z^2\sigma_\rho)^2}{1+\sigma_\rho^2}=(\rho\,\sigma_\rho)^2",
+        repair_formula=r"E\frac{(z_2\sigma_\rho)^2}{1+\sigma_\rho^2}=(\rho\,\sigma_\rho)^2",
         certificates=replayed("eq_14_sigma", inputs) | proofs("eq_14_sigma_repair"),
     )
 
@@ -217,8 +214,8 @@ def measured_weights() -> Decision:
         margin_text="0.5 % too near at 5 %",
         repair="With a weight that is the same for all outcomes the fit is right in the mean, as "
         "the largest trace over time gives it.",
-        repair_formula=r"\arg\min_xE\,\frac{(z-x)^2}{\sigma^2}=E z,\qquad \sigma\ \text{not a "
-        r"function of}\ z",
+        repair_formula=r"\operatorname{argmin}_xE\frac{(z-x)^2}{\sigma^2}=E z,\qquad "
+        r"\sigma\ \text{not a function of}\ z",
         certificates=replayed("eq_20_weights_measured", inputs) | proofs("eq_20_weights_steady"),
         replay=rows,
     )

@@ -11,7 +11,7 @@ from verification.verdict import Decision, Verdict
 
 from ..measurement_figures import ellipses, mirrored
 from . import cost
-from .common import column, proofs, replayed
+from .common import column, disproof, proofs, replayed
 
 SENSOR, TARGET = (150, 150), (180, 110)
 """Places in km, within the square of section 5; the target is behind the second axis."""
@@ -52,8 +52,8 @@ def zero_mean() -> Decision:
         repair="With the offset in (13) divided by the mean cosine g of the angle error the mean "
         "is exact, for every law whose sine has mean zero; a Gaussian one has g = "
         "exp(-sigma^2/2).",
-        repair_formula=r"\varphi^{-1}(s,z)=s+\frac{z^2}{g}\begin{bmatrix}\sin z^1\\\cos z^1"
-        r"\end{bmatrix},\qquad g=E\cos\varepsilon^1=e^{-\sigma_\psi^2/2}",
+        repair_formula=r"\varphi^{-1}(s,z)=s+\frac{z_2}{g}\begin{bmatrix}\sin z_1\\\cos z_1"
+        r"\end{bmatrix},\qquad g=E\cos\varepsilon_1=e^{-\sigma_\psi^2/2}",
         certificates=replayed("eq_2_zero_mean", inputs) | proofs("eq_2_zero_mean_repair"),
         replay=tuple(rows),
     )
@@ -75,6 +75,23 @@ def independent() -> Decision:
         "therefore independent where the noise is.",
         repair_formula=r"\xi=\rho\,\bigl(((1+d)\cos\varepsilon-1)\,e+(1+d)\sin\varepsilon\,n\bigr)",
         certificates=replayed("eq_2_independent", inputs) | proofs("eq_2_independent_repair"),
+    )
+
+
+def fourth_moment() -> Decision:
+    """Errors grow with the distance, and targets may go anywhere."""
+    return Decision(
+        verdict=Verdict.CORRECTED,
+        reason="The error grows as the distance, so that a target which keeps its course passes "
+        "every M_4 sooner or later, as an identity.",
+        printed="some M_4",
+        sharp="rho_max^4 E(1 + |z2|/rho)^4",
+        margin_text="none for all distances",
+        repair="For distances up to rho_max the fourth moment is at most rho_max^4 times the mean "
+        "of (1 + |z2|/rho)^4, about 16 rho_max^4 for small errors, whatever the law of the angle.",
+        repair_formula=r"E\lVert\xi\rVert^4\le\rho_{\max}^4\,E\Bigl(1+\frac{\lvert z_2\rvert}{\rho}"
+        r"\Bigr)^4",
+        certificates=disproof("eq_2_fourth_moment") | proofs("eq_2_fourth_moment_repair"),
     )
 
 
@@ -103,7 +120,7 @@ def angle() -> Decision:
         margin_text="half of all directions come out opposite",
         repair="With the angle whose sine and cosine are (r1 - s1)/rho and (r2 - s2)/rho, (13) is "
         "the inverse everywhere but at the sensor.",
-        repair_formula=r"\psi=\operatorname{atan2}(r^1-s^1,\;r^2-s^2)",
+        repair_formula=r"\psi=\mathrm{atan2}(r^1-s^1,\;r^2-s^2)",
         certificates=replayed("eq_11_angle", inputs) | proofs("eq_13_inverse"),
         replay=rows,
         figure=mirrored(SENSOR, TARGET, (float(mirror[0]), float(mirror[1]))),
@@ -180,6 +197,7 @@ def trace() -> Decision:
 DECISIONS: Mapping[str, Callable[[], Decision]] = {
     "cyclic_spsa.eq_2_zero_mean": zero_mean,
     "cyclic_spsa.eq_2_independent": independent,
+    "cyclic_spsa.eq_2_fourth_moment": fourth_moment,
     "cyclic_spsa.eq_11_angle": angle,
     "cyclic_spsa.eq_13_inverse": inverse,
     "cyclic_spsa.eq_14_axes": axes,

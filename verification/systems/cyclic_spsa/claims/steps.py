@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
@@ -155,19 +156,31 @@ def _added(name: str) -> tuple[dict[str, Document], Fraction, tuple[tuple[str, .
     return replayed(name, inputs), squares, tuple(rows)
 
 
+def inactive_same() -> Decision:
+    """What is the same in both costs cancels."""
+    return Decision(
+        verdict=Verdict.PROVED,
+        reason="Without terms across targets, as in (20), the difference of two costs with the "
+        "same measured positions is that of the active targets alone, as an identity for any two "
+        "points.",
+        printed="nothing is added",
+        sharp="the same",
+        margin_text="identical",
+        certificates=proofs("algorithm_1_inactive_same"),
+    )
+
+
 def inactive_observed() -> Decision:
     """Far targets that nobody estimates drown the pseudogradient."""
     files, square, rows = _added("algorithm_1_inactive_observed")
     return Decision(
         verdict=Verdict.CORRECTED,
         reason="One coordinate of one inactive target 300 km away, whose measurements err by +-15 "
-        f"km, adds a term of mean zero and mean square {float(square):.4g} km^2 to the difference "
-        "quotient at beta = 0.03 km, replayed in rationals for four equally likely outcomes. It "
-        "would vanish only with one measurement for both costs.",
+        f"km, adds to the difference quotient a term of mean zero and of {math.sqrt(square):.0f} "
+        "km in the root mean square at beta = 0.03 km, replayed in rationals for four outcomes of "
+        "probability 1/4.",
         printed="nothing is added",
         sharp="(h r d/beta)^2/2 for each coordinate",
-        printed_value=0.0,
-        sharp_value=float(square),
         margin_text="grows as the square of distance over beta",
         repair="If (20) has the active targets alone, nothing is added, whatever stands at the "
         "other coordinates.",
@@ -185,8 +198,8 @@ def blocks() -> Decision:
         verdict=Verdict.CORRECTED,
         reason="A block that has one coordinate of a target sets the other to 0, and the target's "
         "summand in (20) then carries that coordinate's whole distance: at 300 km with errors of "
-        f"+-15 km it adds a mean square of {float(square):.4g} km^2 to the quotient, replayed in "
-        "rationals.",
+        f"+-15 km it adds {math.sqrt(square):.0f} km in the root mean square to the quotient, "
+        "replayed in rationals.",
         printed="any partition",
         sharp="blocks of whole targets",
         margin_text="one more condition",
@@ -221,5 +234,6 @@ DECISIONS: Mapping[str, Callable[[], Decision]] = {
     "cyclic_spsa.algorithm_1_previous": previous,
     "cyclic_spsa.algorithm_1_inactive_active": inactive_active,
     "cyclic_spsa.algorithm_1_inactive_observed": inactive_observed,
+    "cyclic_spsa.algorithm_1_inactive_same": inactive_same,
     "cyclic_spsa.section_6_cheap": cheap,
 }
