@@ -36,8 +36,8 @@ def tracks(run: Record) -> Figure:
     for target in run["targets"]:
         path = _array(target["position"])
         axes.plot(path[:, 0], path[:, 1], ":", color=COLOURS["target"])
-        corner = (float(path[0, 0]), float(path[0, 1]))
-        axes.annotate(target["name"], corner, textcoords="offset points", xytext=(4, 3))
+        end = (float(path[-1, 0]), float(path[-1, 1]))
+        axes.annotate(target["name"], end, textcoords="offset points", xytext=(4, 3), fontsize=6)
     for sensor in run["sensors"]:
         place = sensor["position"][0][:2]
         axes.plot(*place, "s", color=COLOURS["run"], ms=4)
@@ -61,10 +61,11 @@ def error(run: Record, m_max: int) -> Figure:
         entry = estimates[name]
         _curve(run, axes, entry["error"], COLOURS[role], dash, entry["label"])
         if name in expected:
-            _curve(run, axes, expected[name]["value"], COLOURS["bound"], "-", "")
-    for name, entry in estimates.items():
-        if name not in settings:
-            _curve(run, axes, entry["error"], COLOURS["run"], ":", entry["label"])
+            label = "expected" if k == 0 else ""
+            _curve(run, axes, expected[name]["value"], COLOURS["bound"], "-", label)
+    others = [entry for name, entry in estimates.items() if name not in settings]
+    for dash, entry in zip((":", "-."), others, strict=False):
+        _curve(run, axes, entry["error"], COLOURS["run"], dash, entry["label"])
     _finish(axes)
     return figure
 
@@ -82,9 +83,8 @@ def parts(run: Record, what: str) -> Figure:
 
 
 def _curve(run: Record, axes: Axes, level: Any, colour: str, dash: str, label: str) -> None:
-    options = {"label": label} if label else {"zorder": 1.5}
-    width = 1.3 if label else 0.8
-    axes.semilogy(run["time"], _array(level), dash, color=colour, lw=width, **options)
+    width = 0.8 if colour == COLOURS["bound"] else 1.3
+    axes.semilogy(run["time"], _array(level), dash, color=colour, lw=width, label=label or None)
 
 
 def _finish(axes: Axes) -> None:
