@@ -90,7 +90,7 @@ def _short(data: dict[str, Any]) -> dict[str, Any]:
     """The summary as JSON data: numbers, no curves."""
     found = {key: data[key] for key in ("name", "seed", "summary", "events", "notes")}
     if "expected" in data:
-        keys = ("of", "rms", "settled", "alpha", "limit")
+        keys = ("of", "rms", "frozen", "settled", "alpha", "limit")
         found["expected"] = [{key: entry[key] for key in keys} for entry in data["expected"]]
     return found
 

@@ -11,6 +11,7 @@ HEAD = (
     "expected, s",
     "error, rms in m",
     "expected, m",
+    "closed form, m",
     "alpha over its limit",
     "diverged at, s",
 )
@@ -32,6 +33,7 @@ def rows(run: Record) -> list[list[str]]:
                 digits(beside.get("settled")),
                 digits(row["position_rms"]),
                 digits(beside.get("rms")),
+                digits(beside.get("frozen")),
                 "–" if share is None else f"{share:.3g}",
                 digits(row["diverged"]),
             ]
@@ -62,8 +64,9 @@ def lede(run: Record) -> str:
         f"Root-mean-square over all sensors and targets; the error is that from {since:g} s on, "
         "settled means below a tenth of the first estimate's error at the start. What is expected "
         "are exact moments along the paths of this run, over all draws of the errors and of the "
-        "perturbations; above 1, alpha is beyond the step at which the mean square stays bounded "
-        "everywhere."
+        "perturbations; the closed form is the error that would settle if the geometry in the "
+        "middle of that time lasted. Above 1, alpha is beyond the step at which the mean square "
+        "stays bounded everywhere."
     )
 
 
@@ -74,11 +77,21 @@ def own_settings(run: Record) -> list[str]:
 
 def text_lines(run: Record) -> list[str]:
     """The table in plain text, for a terminal."""
-    short = ("", "start", "settled", "expected", "rms", "expected", "alpha/limit", "diverged")
+    short = (
+        "",
+        "start",
+        "settled",
+        "expected",
+        "rms",
+        "expected",
+        "closed form",
+        "alpha/limit",
+        "diverged",
+    )
     body = rows(run)
     width = max(len(row[0]) for row in body)
-    units = (f"rms from {run['summary'][0]['from']:g} s", "m", "s", "s", "m", "m", "", "s")
+    units = (f"rms from {run['summary'][0]['from']:g} s", "m", "s", "s", "m", "m", "m", "", "s")
     return [
-        f"{first:<{width + 2}}" + "".join(f"{cell:>12}" for cell in rest)
+        f"{first:<{width + 2}}" + "".join(f"{cell:>13}" for cell in rest)
         for first, *rest in ((*short,), (*units,), *((f"  {row[0]}", *row[1:]) for row in body))
     ]

@@ -63,27 +63,26 @@ class Setting:
     start: Floats
 
 
-def expectations(run: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Expected root-mean-square errors of each setting of a run, over sensors and targets.
+def expected(run: Mapping[str, Any], entry: Mapping[str, Any], setting: Setting) -> dict[str, Any]:
+    """Expected root-mean-square error of one setting of a run, over sensors and targets.
 
     Parameters
     ----------
     run : mapping
         Content of ``run.json``.
+    entry : mapping
+        Of its settings.
+    setting : Setting
+        The same, as `setting_of` returns it.
 
     Returns
     -------
-    list of dict
+    dict
         ``of`` the setting, ``value`` by time in m (None from divergence on), ``rms`` from the time
         on from which errors are summarised, when it is ``settled``, and the ``limit`` of alpha:
         the least over sensors, blocks and samples at which the mean square stays bounded.
     """
     since = float(run["summary"][0]["from"])
-    return [_expected(run, entry, since) for entry in run["spsa"]["variants"]]
-
-
-def _expected(run: Mapping[str, Any], entry: Mapping[str, Any], since: float) -> dict[str, Any]:
-    setting = setting_of(run, entry)
     squares, limit = expected_squares(setting)
     level = np.sqrt(np.nanmean(squares, axis=(1, 2)))
     over = ~(level <= float(run["spsa"]["diverged_m"]))
@@ -183,10 +182,10 @@ def _together(
     flat = (len(members), 2 * targets.shape[1])
     theta = setting.paths[:, targets].reshape(-1, *flat)
     now, before = theta[updates], theta[updates - 1]
-    noise = _covariances(setting, members, updates)
+    noise = covariances(setting, members, updates)
     middle, n, z = now, np.zeros_like(noise), noise
     if setting.instants == 2:
-        noise = (noise + _covariances(setting, members, updates - 1)) / 2
+        noise = (noise + covariances(setting, members, updates - 1)) / 2
         drift = now - before
         n = noise / 2 + drift[..., :, None] * drift[..., None, :] / 4
         middle, n, z = (now + before) / 2, n / setting.beta**2, noise / 2
@@ -204,9 +203,7 @@ def _together(
     )
 
 
-def _covariances(
-    setting: Setting, members: list[tuple[int, list[int]]], samples: Indices
-) -> Floats:
+def covariances(setting: Setting, members: list[tuple[int, list[int]]], samples: Indices) -> Floats:
     """Covariances of the measured positions of a block, updates by sensors by D by D."""
     size = len(members[0][1])
     found = np.zeros((len(samples), len(members), 2 * size, 2 * size))

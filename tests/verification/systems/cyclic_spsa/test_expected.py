@@ -9,8 +9,7 @@ from sensortrack.simulation import simulate
 from sensortrack.simulation.scenario import scenario_of
 from tests.sensortrack.test_spsa_simulation import BASE, changed
 from verification.statistics import mean_interval
-from verification.systems.cyclic_spsa.envelopes import envelopes
-from verification.systems.cyclic_spsa.expected import expectations
+from verification.systems.cyclic_spsa.envelopes import envelopes, expectations
 
 SEEDS = range(40)
 TIMES = (12, 25, 60)
