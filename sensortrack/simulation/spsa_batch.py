@@ -10,7 +10,7 @@ Draws are a function of seed, run and update, so that a run is the same in which
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -84,15 +84,6 @@ class BatchResult:
         mean = self.trajectory[:, 0] / self.runs
         spread = np.maximum(self.trajectory[:, 1] / self.runs - mean * mean, 0.0)
         return mean, np.sqrt(spread / max(self.runs - 1, 1))
-
-    def joined(self, other: BatchResult) -> BatchResult:
-        """Both as one: other runs of the same updates."""
-        return BatchResult(
-            np.concatenate([self.means, other.means]),
-            np.concatenate([self.squares, other.squares]),
-            self.trajectory + other.trajectory,
-            np.concatenate([self.errors, other.errors]),
-        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,45 +195,6 @@ class SpsaBatch:
         counted = updates - skip
         means, squares = tally.sums / counted, tally.squares / counted
         return BatchResult(means, squares, tally.trajectory, tally.errors)
-
-    def run_to_width(
-        self,
-        width: float,
-        updates: int,
-        skip: int = 0,
-        seed: int = 0,
-        start: ArrayLike = 0.0,
-        pilot: int = 256,
-        most: int = 2**20,
-    ) -> BatchResult:
-        """As many runs as make the standard error of the mean square this part of it.
-
-        Parameters
-        ----------
-        width : float
-            Relative, above 0.
-        updates, skip, seed
-            As in `run`.
-        start : float or array (D,), optional
-            The same in all runs.
-        pilot : int, optional
-            Runs from which the number is estimated; they count.
-        most : int, optional
-            Runs beyond which it does not go, so that the width may be missed.
-        """
-        if not width > 0:
-            raise InputError("width", f"{width}", "a number above 0 is needed")
-        found = self.run(whole("pilot", pilot, 2, MOST), updates, skip, seed, 0, start)
-        spread = found.mean_square_error / found.mean_square if found.mean_square else 0.0
-        wanted = min(float(most), found.runs * (spread / width) ** 2)
-        more = math.ceil(wanted) - found.runs if math.isfinite(wanted) else 0
-        if more <= 0:
-            return found
-        return found.joined(self.run(more, updates, skip, seed, found.runs, start))
-
-    def with_step(self, alpha: float) -> SpsaBatch:
-        """The same block with another step size."""
-        return replace(self, alpha=alpha)
 
 
 def _standard_error(values: Floats) -> Floats:
