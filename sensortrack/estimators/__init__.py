@@ -2,7 +2,8 @@
 
 from .bearing_dac import BearingDac
 from .bearing_state import BearingState
-from .cyclic_spsa import CyclicSpsa, SpsaState, SpsaStatus
+from .cyclic_spsa import CyclicSpsa
+from .spsa_state import SpsaState, SpsaStatus
 from .variational import Variational, VariationalState
 
 __all__ = [

@@ -18,7 +18,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from sensortrack.errors import InputError
 from sensortrack.generated import cyclic_spsa as generated
@@ -27,69 +27,15 @@ from sensortrack.random_numbers import STREAMS, signs, whole
 from sensortrack.schedules import Schedule, Turn
 
 from .bearing_state import pair
+from .spsa_state import Floats, SpsaState, SpsaStatus
 
-Floats = NDArray[np.float64]
+__all__ = ["CyclicSpsa", "SpsaState", "SpsaStatus"]
+
 Formula = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[float, ...]]
 READINGS = ("two", "one")
 RESOLVED = 2.0**52
 """Where an estimate is farther than this many times beta, adding beta to it changes nothing."""
 DIVERGED = "an estimate has run away, and the perturbation is lost in its rounding"
-
-
-@dataclass(frozen=True)
-class SpsaStatus:
-    """What the last sample was for.
-
-    Parameters
-    ----------
-    turn : Turn or None
-        Cycle, block and which sample of it; None before the first step.
-    updated : tuple of str
-        Targets whose estimate the sample has moved.
-    left_out : tuple of str
-        Targets of the block that are left out of both costs, since a measurement is missing.
-    """
-
-    turn: Turn | None = None
-    updated: tuple[str, ...] = ()
-    left_out: tuple[str, ...] = ()
-
-    def __str__(self) -> str:
-        if self.turn is None:
-            return "start"
-        where = f"cycle {self.turn.cycle}, block {self.turn.block}"
-        if not self.turn.second:
-            return f"{where}, first sample"
-        return f"{where}, {len(self.updated)} updated"
-
-
-@dataclass(frozen=True, eq=False)
-class SpsaState:
-    """What the sensor carries from sample to sample, a row a target in the order of the schedule.
-
-    Parameters
-    ----------
-    time : int
-        Last sample, 0 before the first.
-    positions : array (m, 2)
-        Estimates in m.
-    costs : array (m,)
-        Costs at the first sample of the block under way, in m^2; NaN where there is none.
-    status : SpsaStatus
-    notes : tuple of str
-        What was remarkable in the last step.
-    """
-
-    time: int
-    positions: Floats
-    costs: Floats
-    status: SpsaStatus = SpsaStatus()
-    notes: tuple[str, ...] = ()
-
-    @property
-    def flat(self) -> Floats:
-        """Every number of the state in one array."""
-        return np.concatenate([self.positions.ravel(), self.costs])
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,8 +175,9 @@ class CyclicSpsa:
             Is not changed.
         views : sequence of PolarView
             What arrived at this sample. Of it counts what the sources measured of the block whose
-            turn it is. A target of which one of the two measurements of a step is missing is left
-            out of both costs, and its estimate stays where it is.
+            turn it is; with one instant a step, nothing at the first sample of a block. A target of
+            which one of the two measurements of a step is missing is left out of both costs, and
+            its estimate stays where it is.
 
         Raises
         ------

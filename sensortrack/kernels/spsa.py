@@ -103,7 +103,8 @@ def advance(
     key = (seed, STREAMS["batch"])
     library = kernel("spsa", native=True).library
     if library is None:
-        _in_numpy(recursion, tally, key, first_run, skip)
+        with np.errstate(over="ignore", invalid="ignore"):  # an error that diverges, as in C
+            _in_numpy(recursion, tally, key, first_run, skip)
         return
     runs, updates = len(tally.errors), len(tally.trajectory)
     flags = (recursion.hessian.ndim == 2, recursion.root.ndim == 2, recursion.gaussian)

@@ -82,13 +82,17 @@ class BatchResult:
     def curve(self) -> tuple[Floats, Floats]:
         """Mean square after each update and its standard error, in m^2."""
         mean = self.trajectory[:, 0] / self.runs
-        spread = np.maximum(self.trajectory[:, 1] / self.runs - mean * mean, 0.0)
+        with np.errstate(over="ignore", invalid="ignore"):
+            spread = np.maximum(self.trajectory[:, 1] / self.runs - mean * mean, 0.0)
         return mean, np.sqrt(spread / max(self.runs - 1, 1))
 
 
 @dataclass(frozen=True, eq=False)
 class SpsaBatch:
     """One block of cyclic SPSA, in many runs.
+
+    The two costs are rounded before they are compared, as in any program that follows the paper: an
+    error of 10^12 beta says that a run diverges, but no longer how fast.
 
     Parameters
     ----------
@@ -200,5 +204,6 @@ class SpsaBatch:
 def _standard_error(values: Floats) -> Floats:
     if len(values) < 2:
         return np.full(values.shape[1:], np.nan)
-    found: Floats = values.std(axis=0, ddof=1) / math.sqrt(len(values))
+    with np.errstate(over="ignore", invalid="ignore"):
+        found: Floats = values.std(axis=0, ddof=1) / math.sqrt(len(values))
     return found

@@ -185,6 +185,13 @@ def test_a_small_perturbation_diverges_on_every_path_without_any_noise():
         assert (np.abs(ratio) < 5).all()
 
 
+@pytest.mark.parametrize("compiler", ["0", "1"])
+def test_an_error_without_bounds_is_counted_and_not_warned_of(monkeypatch, compiler):
+    monkeypatch.setenv("SENSORTRACK_NO_COMPILER", compiler)
+    found = SpsaBatch([1.0], 1e200, 1.0, 1.0).run(3, 4)
+    assert not np.isfinite([found.mean_square, found.mean_square_error, found.curve[0][-1]]).any()
+
+
 @pytest.mark.parametrize(
     "numbers,error",
     [
