@@ -81,7 +81,7 @@ def below(value: Fraction) -> float:
 
 def above(value: Fraction) -> float:
     """The smallest double that is at least `value`."""
-    return -below(-value)
+    return 0.0 - below(-value)
 
 
 def root(value: Fraction, bits: int = 200) -> Fraction:

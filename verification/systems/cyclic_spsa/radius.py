@@ -55,7 +55,9 @@ def spectral_radius(values: Mapping[str, Any]) -> Answer:
     for bits in BITS:
         found = stacked.multiplier(step, bits)
         ends = (
-            None if found is None else _proved(block, step, *found, Fraction(1, 2 ** (bits // 2)))
+            None
+            if found is None
+            else _proved(block, step, *found, Fraction(1, 2 ** (bits // 2 - 24)))
         )
         if found is not None and ends is not None:
             exact = algebraic_radius(stacked, step, found[0]) if block.size <= ALGEBRAIC else None

@@ -87,7 +87,8 @@ class Stacked:
     def kept(self, bits: int) -> tuple[Fraction, Matrix] | None:
         """The limit and P with limit K(HPH) = HP + PH, about, by shifted inverse iteration.
 
-        The shift follows the limit from below, by twice the last change of its estimate.
+        The shift follows the limit from below, by twice the last change of its estimate, and goes
+        back down where it has passed it.
         """
         import flint
 
@@ -108,13 +109,14 @@ class Stacked:
                 if change <= limit * flint.arb(2) ** (16 - bits // 2):
                     return exact(limit), _fractions(symmetric(vector, self.block.size))
                 near = (limit - 2 * change).mid()
-                shift = near if near > shift else shift
+                shift = near if near > shift or shift > limit else shift
         return None
 
     def multiplier(self, step: Fraction, bits: int) -> tuple[Fraction, Matrix] | None:
         """The spectral radius r of one update and P with L(P) = rP, about, by inverse iteration.
 
-        The shift follows r from above, by twice the last change of its estimate.
+        The shift follows r from above, by twice the last change of its estimate, and goes back up
+        where it has fallen below.
         """
         import flint
 
@@ -137,7 +139,7 @@ class Stacked:
                 if change <= abs(radius) * flint.arb(2) ** (16 - bits // 2):
                     return exact(radius), _fractions(symmetric(vector, self.block.size))
                 near = (radius + 2 * change).mid()
-                shift = near if near < shift else shift
+                shift = near if near < shift or shift < radius else shift
         return None
 
     def update(self, step: Fraction) -> Any:
