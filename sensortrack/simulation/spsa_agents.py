@@ -145,8 +145,8 @@ def team_of(scenario: Scenario, variant: Variant, paths: Floats, seed: int) -> T
 
 def _key(name: str, table: str) -> str:
     """The key of a scenario that an argument of an agent or a schedule comes from."""
-    if name == "seed":
-        return "scenario.seed"
+    if name in ("seed", "variances"):
+        return {"seed": "scenario.seed", "variances": "target"}[name]
     return f"{table}.{KEYS[name]}" if name in KEYS else "estimator.reach_m"
 
 

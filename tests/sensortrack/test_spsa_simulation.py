@@ -278,6 +278,11 @@ def test_a_filter_needs_positive_numbers(name):
         (("target", 0, "name"), "", "target.name"),
         (("target", 0, "kind"), "spiral", "target.kind"),
         (("target", 0, "speed"), 1.0, "target.speed"),
+        (
+            ("target", 0),
+            {"kind": "line", "start_m": [-100.0, 0.0, 0.0], "velocity_mps": [0.0, 0.0, 0.0]},
+            "target",
+        ),
         (("target", 0), {"kind": "weaving", "start_m": [0, 0, 0]}, "target.velocity_mps"),
         (
             ("target", 0),

@@ -60,6 +60,7 @@ def _tracks(run: Record) -> Plot:
     paths = [_array(target["position"])[:, :2] for target in run["targets"]]
     places = np.array([sensor["position"][0][:2] for sensor in run["sensors"]], dtype=float)
     start = np.array(_settings(run)[0]["start"], dtype=float).reshape(-1, 2)
+    start = start[np.isfinite(start).all(axis=1)]
     wide = float(np.ptp(np.concatenate([*paths, places, start]), axis=0).max()) > 2e4
     scale, unit = (1e-3, "km") if wide else (1.0, "m")
     curves = [_line("target", path * scale) for path in paths]

@@ -24,7 +24,8 @@ def rows(run: Record) -> list[list[str]]:
     made = []
     for row in run["summary"]:
         beside = expected.get(row["estimate"], {})
-        share = beside["alpha"] / beside["limit"] if beside else None
+        limit = beside.get("limit")
+        share = beside["alpha"] / limit if limit else None
         made.append(
             [
                 labels[row["estimate"]],
@@ -46,7 +47,7 @@ def headline(run: Record) -> str:
     best = [row for row in run["summary"] if row["estimate"] in own_settings(run)]
     labels = {entry["name"]: entry["label"] for entry in run["estimates"]}
     whole = [row for row in best if row["position_rms"] is not None]
-    lost = len(best) - len(whole)
+    lost = sum(row["diverged"] is not None for row in best)
     many = f"{number_word(lost)} of {count(len(best), 'setting')} diverged"
     said = ("it diverged" if len(best) == 1 else many) if lost else "nothing diverged"
     if not whole:

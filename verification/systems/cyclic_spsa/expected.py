@@ -80,7 +80,8 @@ def expected(run: Mapping[str, Any], entry: Mapping[str, Any], setting: Setting)
     dict
         ``of`` the setting, ``value`` by time in m (None from divergence on), ``rms`` from the time
         on from which errors are summarised, when it is ``settled``, and the ``limit`` of alpha:
-        the least over sensors, blocks and samples at which the mean square stays bounded.
+        the least over sensors, blocks and samples at which the mean square stays bounded, None
+        if the run ends before an update.
     """
     since = float(run["summary"][0]["from"])
     squares, limit = expected_squares(setting)
@@ -100,7 +101,7 @@ def expected(run: Mapping[str, Any], entry: Mapping[str, Any], setting: Setting)
         "rms": None if over.any() or not counted.size else float(np.sqrt(np.mean(counted**2))),
         "settled": float(time[below[0]]) if below.size else None,
         "alpha": float(entry["alpha"]),
-        "limit": limit,
+        "limit": limit if np.isfinite(limit) else None,
         "statement": WORDS,
     }
 

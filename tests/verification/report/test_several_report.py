@@ -1,0 +1,65 @@
+"""Pages and figures of runs of several targets, at the ends of what can happen."""
+
+import json
+
+import pytest
+
+from sensortrack.plots import save_run
+from sensortrack.simulation import simulate
+from sensortrack.simulation.scenario import scenario_of
+from tests.sensortrack.test_spsa_simulation import changed
+from tests.verification.report.test_report import HOSTILE, Page, built
+from verification.cli.simulate import lines_of
+from verification.systems.cyclic_spsa.envelopes import expectations
+
+SHORT = (("duration_s",), 3.0)
+ALONE = (("baselines",), [])
+
+
+def record(*changes):
+    run = simulate(scenario_of("toy", changed(SHORT, (("summary_from_s",), 1.0), *changes)))
+    data = run.to_data() | {"bounds": []}
+    return data | {"expected": expectations(data)}
+
+
+def pages(folder, data):
+    text = json.dumps(data, allow_nan=False)
+    (folder / "run.json").write_text(text)
+    html, markdown = built(folder)
+    assert "nan" not in html.replace("nance", "")
+    assert html.count('role="img"') == html.count("<figure")
+    assert save_run(data, folder)
+    return html, markdown, "\n".join(lines_of(data))
+
+
+@pytest.mark.parametrize(
+    "changes,said",
+    [
+        ([(("estimator", "beta_m"), 0.001), ALONE], "it diverged"),
+        ([(("duration_s",), 0.1), ALONE], "nothing diverged"),
+        ([(("noise",), {"kind": "none"}), ALONE], "nothing diverged"),
+        ([(("estimator", "reach_m"), 190.0), (("estimator", "n_max"), 0)], "nothing diverged"),
+        ([(("target",), [{"kind": "line"}]), ALONE], "nothing diverged"),
+    ],
+    ids=["diverged", "before an update", "no noise", "short reach", "one target"],
+)
+def test_every_run_has_pages_without_a_number_that_is_none(tmp_path, changes, said):
+    html, markdown, text = pages(tmp_path, record(*changes))
+    assert said in html
+    assert said in markdown
+    assert "nan" not in text
+
+
+def test_a_run_with_failing_sensors_has_no_expectation(tmp_path):
+    fault = [{"kind": "lost", "sensor": "a", "from_s": 1.0}]
+    data = record((("fault",), fault), ALONE)
+    assert data["expected"] == []
+    html, _, _ = pages(tmp_path, data)
+    assert "sensor a measures nothing" in html
+
+
+def test_names_are_only_shown(tmp_path):
+    data = record((("target", 0, "name"), HOSTILE), ALONE, (("variant",), [{"name": HOSTILE}]))
+    html, markdown, _ = pages(tmp_path, data)
+    assert "img" not in Page(html).tags
+    assert "<img" not in markdown.replace("\\<", "")
