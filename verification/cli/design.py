@@ -98,6 +98,8 @@ def _matching(designs: Sequence[Design], names: set[str]) -> Design:
 
 def _plain(value: Any) -> Any:
     """A rational as a JSON number where that is the same decimal, else as text; rows likewise."""
+    if isinstance(value, str):
+        return value
     if isinstance(value, tuple):
         return [_plain(entry) for entry in value]
     if value == int(value):

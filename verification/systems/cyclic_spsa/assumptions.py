@@ -21,7 +21,6 @@ from verification.exact.semidefinite import split
 
 from .block_inputs import DRIFT, HESSIAN, NOISE, Block
 from .constants import (
-    LAW,
     MOVED,
     NAMES,
     ONE_INSTANT,
@@ -35,6 +34,7 @@ from .constants import (
 )
 from .cost_changes import Change, beyond, change_of, excess, gradient_power, offset
 from .hessian_bounds import BOUNDS, blocks_between, class_constants, of_bounds, proved_of_all
+from .stationary import LAW
 
 WANTED_C3 = Input("c3", "number", "the c3 for which c4 is asked", optional=True)
 COST = (*HESSIAN, *BOUNDS, NOISE, DRIFT, LAW)

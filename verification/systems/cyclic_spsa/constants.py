@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from sensortrack.errors import InputError
-from verification.answers import Answer, Input
+from verification.answers import Answer
 from verification.certificates.make import Item
 from verification.exact.evaluate import Rows, dot
 from verification.exact.rationals import above, below, nearest
@@ -16,12 +16,9 @@ from verification.exact.semidefinite import Split
 from verification.exact.square_roots import square_root_beside
 
 from .block_inputs import Block, block_of
-
-KURTOSIS = {"gaussian": Fraction(0), "two_point": Fraction(-2)}
-"""Excess kurtosis of a coordinate of the noise, by its law."""
+from .stationary import LAWS, law_of
 
 NAMES = ("mu", "M", "c2", "c3", "c4", "delta")
-LAW = Input("law", "word", "law of the noise: gaussian or two_point", "", "gaussian")
 MOVED = "delta = |eta|, the drift of one sample"
 ONE_INSTANT = "with one measurement instant a step, c3 = c4 = 0 do: no two costs are compared"
 
@@ -34,16 +31,14 @@ def cost_of(values: Mapping[str, Any]) -> tuple[Block, Fraction]:
     InputError
         As `block_of`; the law is not known or does not fit Xi.
     """
-    law = values["law"]
-    if law not in KURTOSIS:
-        raise InputError("law", repr(law), f"one of {', '.join(KURTOSIS)} is needed")
+    kurtosis = LAWS[law_of(values)].excess
     # beta, reading and k do not enter these constants
     block = block_of({**values, "beta": Fraction(1), "reading": "two", "k": Fraction(1)})
     noise, size = block.noise, range(block.size)
-    if KURTOSIS[law] and any(noise[i][j] for i in size for j in size if i != j):
+    if kurtosis and any(noise[i][j] for i in size for j in size if i != j):
         needed = "a diagonal one: the coordinates of two-point noise are taken as independent"
         raise InputError("Xi", "a covariance that is not diagonal", needed)
-    return block, KURTOSIS[law]
+    return block, kurtosis
 
 
 def constant_data(

@@ -6,6 +6,7 @@ from verification.answers import Condition, Quantity
 
 from .assumptions import COST, GIVEN, WANTED_C3, assumption_constants, decide_assumptions
 from .network import LIMITED, network_step_limit
+from .network_errors import ERROR, network_error
 from .network_times import AHEAD, network_schedule
 
 QUANTITIES: tuple[Quantity, ...] = (
@@ -22,6 +23,13 @@ QUANTITIES: tuple[Quantity, ...] = (
         LIMITED,
         network_step_limit,
         True,
+    ),
+    Quantity(
+        "network_error",
+        "root-mean-square error of all sensors and targets in the long run",
+        ERROR,
+        network_error,
+        False,
     ),
     Quantity(
         "network_schedule",
