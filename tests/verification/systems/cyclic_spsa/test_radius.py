@@ -1,0 +1,43 @@
+"""Factors by which an update multiplies second moments, where their eigenvalues lie close."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from verification.systems.cyclic_spsa.radius import spectral_radius
+
+from .test_stability import block, radius
+
+ZERO3, ZERO4 = ((((Fraction(0),) * n,) * n) for n in (3, 4))
+
+
+def near_singular(seed, size):
+    """A Hessian with one small eigenvalue, in hundredths."""
+    rows = np.random.default_rng(seed).normal(size=(size, size - 1))
+    form = rows @ rows.T + 0.06 * np.eye(size)
+    return tuple(
+        tuple(Fraction(round(100 * float(form[max(i, j), min(i, j)])), 100) for j in range(size))
+        for i in range(size)
+    )
+
+
+@pytest.mark.parametrize("alpha", ["0.05", "0.1", "0.12", "0.15", "0.2"])
+def test_a_diagonal_hessian_without_noise_has_the_radius_of_its_diagonal(alpha):
+    h = tuple(map(Fraction, ("37/16", "243/47", "17/26")))
+    a = Fraction(alpha)
+    answer = spectral_radius(block(h=h, Xi=ZERO3, eta=(Fraction(0),) * 3) | {"alpha": a})
+    b, step = np.array([float(x) for x in h]), float(a)
+    literal = np.diag(1 - 2 * step * b) + step**2 * np.outer(np.ones(3), b**2)
+    assert answer.verdict == "PROVED"
+    assert answer.value == pytest.approx(max(abs(np.linalg.eigvals(literal))), rel=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_hessians_close_to_singular_ones_are_proved(seed):
+    values = block(h=None, H=near_singular(seed, 4), Xi=ZERO4, eta=(Fraction(0),) * 4)
+    alpha = Fraction(1, 40)
+    answer = spectral_radius(values | {"alpha": alpha})
+    assert answer.verdict == "PROVED"
+    assert answer.value == pytest.approx(radius(values, float(alpha)), rel=1e-8)
+    assert answer.lower <= answer.value <= answer.upper
