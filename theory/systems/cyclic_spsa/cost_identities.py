@@ -20,59 +20,6 @@ def _proved(
     return tuple(derive(name, goal, given, words, squares) for name, goal in goals.items())
 
 
-def measured_variance() -> tuple[Identity, ...]:
-    """The mean of (z k)^2 for a distance z whose deviation is k times the true one.
-
-    Returns
-    -------
-    tuple of Identity
-        Letters ``P`` (probabilities on the diagonal), ``o`` (ones), ``x`` (errors of the distance);
-        scalars ``rho k``, ``q`` = 1/(1 + k^2).
-    """
-    p, o, x = letters("P o x", ("P",))
-    rho, k, q = scalars("rho k q")
-    square = rho * rho * k * k
-    relations = {
-        "o' P o": o.T * p * o - ONE,
-        "o' P x": o.T * p * x,
-        "x' P x": x.T * p * x - square,
-        "k**2 q": q * (ONE + k * k) - ONE,
-    }
-    z = rho * o + x
-    mean = k * k * (z.T * p * z)
-    goals = {
-        "the mean of (z k)^2 is (1 + k^2) (rho k)^2": mean - (ONE + k * k) * square,
-        "divided by 1 + k^2 it is (rho k)^2": q * mean - square,
-    }
-    return _proved(relations, goals)
-
-
-def mean_square() -> tuple[Identity, ...]:
-    """The mean square of the position's error, exactly.
-
-    Returns
-    -------
-    tuple of Identity
-        Letters ``w k o`` (probabilities and cosines of the angle error, ones), ``V t x``
-        (probabilities on the diagonal, ones, and relative errors of the distance); scalars ``rho``,
-        ``g`` (mean cosine), ``f`` (relative deviation of the distance).
-    """
-    w, k, o, v, t, x = letters("w k o V t x", ("V",))
-    rho, g, f = scalars("rho g f")
-    relations = {
-        "o' w": o.T * w - ONE,
-        "t' V t": t.T * v * t - ONE,
-        "t' V x": t.T * v * x,
-        "x' V x": x.T * v * x - f * f,
-        "k' w": k.T * w - g,
-    }
-    z = t + x
-    sure = o.T * w
-    mean = sure * (t.T * v * t) + sure * (z.T * v * z) - 2 * (k.T * w * (t.T * v * z))
-    goals = {"2 + f^2 - 2g": rho * rho * (mean - 2 * ONE - f * f + 2 * g)}
-    return _proved(relations, goals)
-
-
 def constant_weights() -> tuple[Identity, ...]:
     """Weights that do not depend on the noise of the moment leave the fit right in the mean.
 

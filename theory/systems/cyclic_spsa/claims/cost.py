@@ -118,6 +118,20 @@ EXACT_TRACE = Claim(
     printed="sigma_psi^2 + sigma_rho^2",
 )
 
+EXACT_COVARIANCE = Claim(
+    id="cyclic_spsa.eq_14_exact",
+    system=SYSTEM,
+    source="Erofeeva & Granichin, (14)",
+    title="With its axes put right, (14) is the covariance for errors of any size",
+    statement="The variance of the position is exactly (rho sigma_rho)^2 along the line of sight "
+    "and exactly (rho sigma_psi)^2 across it.",
+    formula=r"\Xi=R(\psi)\begin{bmatrix}(\rho\sigma_\rho)^2&0\\0&(\rho\sigma_\psi)^2\end{bmatrix}"
+    r"R(\psi)^\top",
+    sense="equality",
+    assumes=(CENTRED,),
+    printed="sigma_rho^2 and sigma_psi^2",
+)
+
 MEASURED_WEIGHTS = Claim(
     id="cyclic_spsa.eq_20_weights_measured",
     system=SYSTEM,

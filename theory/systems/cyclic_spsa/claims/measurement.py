@@ -126,5 +126,6 @@ CLAIMS: tuple[Claim, ...] = (
     ROTATION,
     TRACE,
     cost.EXACT_TRACE,
+    cost.EXACT_COVARIANCE,
     *cost.WEIGHTS,
 )

@@ -3,20 +3,11 @@
 from __future__ import annotations
 
 from ....algebra import constraints
-from ....statements import Case, Statement
+from ....statements import Statement
 from .. import cost_identities
 from ..universal import Universal
+from .replays import case, numbers
 
-NOISE = {"P": "positive semidefinite: N", **dict.fromkeys("oxz", "vector: N")} | {
-    "rho": "positive",
-    "k": "positive",
-    "q": "positive",
-}
-SQUARES = (
-    dict.fromkeys("wko", "vector: N")
-    | {"V": "positive semidefinite: M", "t": "vector: M", "x": "vector: M"}
-    | {"rho": "positive", "g": "real", "f": "positive"}
-)
 FIT = {"P": "positive semidefinite: N", "o": "vector: N", "z": "vector: N"} | {
     "r": "real",
     "x": "real",
@@ -92,23 +83,6 @@ UNIVERSAL: tuple[Universal, ...] = (
         PARTS,
     ),
     Universal(
-        "eq_14_sigma_repair",
-        "for any law of finitely many errors x of the distance, of mean 0 and variance (rho k)^2: "
-        "the mean of ((rho + x) k)^2 is (1 + k^2) (rho k)^2, and divided by 1 + k^2 it is the "
-        "variance",
-        cost_identities.measured_variance(),
-        NOISE,
-    ),
-    Universal(
-        "eq_14_trace_exact_repair",
-        "for independent laws of finitely many outcomes, of the angle error with the mean cosine "
-        "g, and of the relative error of the distance with mean 0 and variance f^2: rho^2 times "
-        "the mean of 1 + (1 + x)^2 - 2 (1 + x) cos, the squared error of the position, is rho^2 (2 "
-        "+ f^2 - 2g)",
-        cost_identities.mean_square(),
-        SQUARES,
-    ),
-    Universal(
         "eq_20_weights_steady",
         "for any law of finitely many measured coordinates z, of mean r, and a weight g > 0 that "
         "is the same for all: the mean cost at x exceeds that at r by g (x - r)^2",
@@ -118,26 +92,9 @@ UNIVERSAL: tuple[Universal, ...] = (
 )
 
 
-def _case(
-    verdict: str,
-    name: str,
-    words: str,
-    show: tuple[str, ...],
-    inputs: dict[str, str],
-    relies_on: tuple[str, ...] = (),
-) -> Statement:
-    return Statement(
-        "cyclic_spsa", name, {verdict: Case(verdict, words, show)}, inputs, relies_on=relies_on
-    )
-
-
-def _numbers(*names: str) -> dict[str, str]:
-    return dict.fromkeys(names, "number")
-
-
 STATEMENTS: tuple[Statement, ...] = (
     *(entry.statement for entry in UNIVERSAL),
-    _case(
+    case(
         "REFUTED",
         "eq_3_mean_risk",
         "two sensors of variances a and b, p = 0 and K = p m + (1 - p)(a + b): the mean of the "
@@ -151,18 +108,18 @@ STATEMENTS: tuple[Statement, ...] = (
             "l == K/2*(1/a + 1/b)",
             "l != 1",
         ),
-        _numbers("a", "b", "m", "p", "K", "l"),
+        numbers("a", "b", "m", "p", "K", "l"),
     ),
-    _case(
+    case(
         "REFUTED",
         "eq_5_measurable",
         "w = 1 or w = -1 with probability 1/2 each, whatever happened before: the cost (x - w)^2/2 "
         "has at x the values f and g, which differ, so that what happened before does not "
         "determine it; its mean m is neither",
         ("f == (x - 1)**2/2", "g == (x + 1)**2/2", "f != g", "m == (f + g)/2", "m != f", "m != g"),
-        _numbers("x", "f", "g", "m"),
+        numbers("x", "f", "g", "m"),
     ),
-    _case(
+    case(
         "PROVED",
         "eq_6_reduced_formation",
         "for these numbers: I is the identity (I > 0 and II = I), N is a basis of the kernel of H, "
@@ -170,37 +127,7 @@ STATEMENTS: tuple[Statement, ...] = (
         ("pd(I)", "I*I == I", "H*N == 0*(H*N)", "N*W*T(N) + T(H)*Y*H == I"),
         dict.fromkeys(("I", "H", "N", "W", "Y"), "matrix"),
     ),
-    _case(
-        "REFUTED",
-        "eq_14_sigma",
-        "the distance rho errs by +-d with probability 1/2 each, d = rho k: the mean of (z k)^2 is "
-        "(1 + k^2) d^2, which is not d^2, the variance",
-        (
-            "rho > 0",
-            "k > 0",
-            "d == rho*k",
-            "((rho + d)**2 + (rho - d)**2)*k**2/2 == (1 + k**2)*d**2",
-            "(1 + k**2)*d**2 != d**2",
-        ),
-        _numbers("rho", "k", "d"),
-    ),
-    _case(
-        "REFUTED",
-        "eq_14_trace_exact",
-        "the distance rho is exact and the angle errs by +-x with probability 1/2 each: the square "
-        "of the position's error is rho^2 (2 - 2 cos x), at most rho^2 (x^2 - x^4/12 + x^6/360) = "
-        "e, which is below rho^2 x^2 = n",
-        (
-            "rho > 0",
-            "x > 0",
-            "e == rho**2*(x**2 - x**4/12 + x**2*x**4/360)",
-            "n == rho**2*x**2",
-            "e < n",
-        ),
-        _numbers("rho", "x", "e", "n"),
-        ("cos x >= 1 - x^2/2 + x^4/24 - x^6/720 for every x",),
-    ),
-    _case(
+    case(
         "REFUTED",
         "eq_20_weights_measured",
         "the distance rho errs by +-d with probability 1/2 each, and each measured distance z has "
@@ -212,6 +139,6 @@ STATEMENTS: tuple[Statement, ...] = (
             "(rho + d - x)*(rho - d)**2 + (rho - d - x)*(rho + d)**2 == 0",
             "x < rho",
         ),
-        _numbers("rho", "d", "x"),
+        numbers("rho", "d", "x"),
     ),
 )

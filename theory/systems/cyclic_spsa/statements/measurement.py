@@ -5,7 +5,7 @@ from __future__ import annotations
 from ....algebra import polar
 from ....statements import Case, Statement
 from ..universal import Universal
-from . import cost
+from . import cost, moments
 
 PLANE = (
     dict.fromkeys("uvensrp", "vector: 2")
@@ -213,7 +213,7 @@ def _rotation() -> Statement:
     )
 
 
-UNIVERSAL: tuple[Universal, ...] = (*SIGHTS, *cost.UNIVERSAL)
+UNIVERSAL: tuple[Universal, ...] = (*SIGHTS, *moments.UNIVERSAL, *cost.UNIVERSAL)
 
 STATEMENTS: tuple[Statement, ...] = (
     *(entry.statement for entry in SIGHTS),
@@ -222,5 +222,6 @@ STATEMENTS: tuple[Statement, ...] = (
     _angle(),
     _axes(),
     _rotation(),
+    *moments.STATEMENTS,
     *cost.STATEMENTS,
 )

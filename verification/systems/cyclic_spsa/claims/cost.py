@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 from theory.algebra.constraints import reduction
-from theory.algebra.moments import COSINE
 from verification.verdict import Decision, Verdict
 
 from .common import disproof, proofs, replayed
@@ -15,8 +13,6 @@ from .common import disproof, proofs, replayed
 RANGE, RELATIVE = Fraction(100), Fraction(1, 20)
 """Distance in km, and the relative error of section 5."""
 VARIANCES = (Fraction(1), Fraction(4))
-TURN = Fraction(1, 2)
-"""An angle error in rad, large enough to see."""
 FORMATION = ((1, 0, -1, 0), (0, 1, 0, -1))
 """Two targets, in a fixed offset from each other: r1 - r2 = q."""
 
@@ -134,63 +130,6 @@ def subvectors() -> Decision:
     )
 
 
-def measured_variance() -> Decision:
-    """The measured distance is longer in the mean square than the true one."""
-    inputs = {"rho": RANGE, "k": RELATIVE, "d": RANGE * RELATIVE}
-    factor = 1 + RELATIVE**2
-    return Decision(
-        verdict=Verdict.CORRECTED,
-        reason="With an error of +-5 % of the distance the mean of (z2 sigma_rho)^2 is "
-        f"{factor} of the variance, replayed in rationals. Besides, a covariance that contains the "
-        "noise of the measurement is itself random and no covariance.",
-        printed="(z2 sigma_rho)^2",
-        sharp="(rho sigma_rho)^2",
-        printed_value=float(factor),
-        sharp_value=1.0,
-        margin_text="1 + sigma_rho^2 too large in the mean, 0.25 % at 5 %",
-        repair="(rho sigma_rho)^2 with the true distance; (z2 sigma_rho)^2/(1 + sigma_rho^2) has "
-        "that mean, for every law of mean zero.",
-        repair_formula=r"E\frac{(z_2\sigma_\rho)^2}{1+\sigma_\rho^2}=(\rho\,\sigma_\rho)^2",
-        certificates=replayed("eq_14_sigma", inputs) | proofs("eq_14_sigma_repair"),
-    )
-
-
-def gaussian_square(angle: float, relative: float) -> float:
-    """E|xi|^2/rho^2 for a Gaussian angle error, deviations in rad and relative."""
-    cosine = sum(float(c) * math.exp(-(angle**2) / 2) ** m for m, c in COSINE.mean.items())
-    return 2 + relative**2 - 2 * cosine
-
-
-def exact_trace() -> Decision:
-    """A chord is shorter than its arc."""
-    x, rho = TURN, RANGE
-    inputs = {
-        "rho": rho,
-        "x": x,
-        "e": rho**2 * (x**2 - x**4 / 12 + x**6 / 360),
-        "n": rho**2 * x**2,
-    }
-    angle, relative = math.radians(0.5), float(RELATIVE)
-    exact, printed = gaussian_square(angle, relative), angle**2 + relative**2
-    files = replayed("eq_14_trace_exact", inputs)
-    return Decision(
-        verdict=Verdict.CORRECTED,
-        reason="For an angle error of +-1/2 rad and an exact distance, the squared error is 2 - 2 "
-        "cos(1/2) times rho^2, bounded in rationals below the printed 1/4. At half a degree and 5 "
-        f"% the two agree to {(printed - exact) / exact:.1e} of their size.",
-        printed="sigma_psi^2 + sigma_rho^2",
-        sharp="2 (1 - E cos) + sigma_rho^2",
-        printed_value=printed,
-        sharp_value=exact,
-        margin_text="too large, by sigma_psi^4/4 to leading order",
-        repair="The mean square is rho^2 (2 - 2g + sigma_rho^2), g being the mean cosine of the "
-        "angle error, exp(-sigma_psi^2/2) for a Gaussian one.",
-        repair_formula=r"E\lVert\xi\rVert^2=\rho^2\bigl(2-2e^{-\sigma_\psi^2/2}+\sigma_\rho^2\bigr)",
-        relies_on=tuple(files["cyclic_spsa.eq_14_trace_exact"]["relies_on"]),
-        certificates=files | proofs("eq_14_trace_exact_repair"),
-    )
-
-
 def measured_weights() -> Decision:
     """Short measurements count more."""
     d = RANGE * RELATIVE
@@ -241,8 +180,6 @@ DECISIONS: Mapping[str, Callable[[], Decision]] = {
     "cyclic_spsa.eq_6_reduced": reduced,
     "cyclic_spsa.eq_7_copies": like_copies,
     "cyclic_spsa.eq_7_subvectors": subvectors,
-    "cyclic_spsa.eq_14_sigma": measured_variance,
-    "cyclic_spsa.eq_14_trace_exact": exact_trace,
     "cyclic_spsa.eq_20_weights_measured": measured_weights,
     "cyclic_spsa.eq_20_weights_steady": steady_weights,
 }

@@ -10,7 +10,7 @@ from theory.algebra.moments import COSINE
 from verification.verdict import Decision, Verdict
 
 from ..measurement_figures import ellipses, mirrored
-from . import cost
+from . import cost, moments
 from .common import column, disproof, proofs, replayed
 
 SENSOR, TARGET = (150, 150), (180, 110)
@@ -22,17 +22,12 @@ RANGE, RANGE_ERROR, ANGLE_ERROR = 100, Fraction(1, 20), Fraction(873, 100_000)
 EAST, NORTH = (1, 0), (0, 1)
 
 
-def gaussian_cosine(sigma: float) -> float:
-    """Mean cosine of a Gaussian angle of mean 0 and standard deviation `sigma` in rad."""
-    return sum(float(c) * math.exp(-(sigma**2) / 2) ** m for m, c in COSINE.mean.items())
-
-
 def zero_mean() -> Decision:
     """Angles that err move the mean of a position towards the sensor."""
     cosine, sine = TRIPLE
     inputs = {"s": column(SENSOR), "e": column(NORTH), "n": column(EAST), "a": cosine, "b": sine}
     inputs |= {"rho": RANGE, "d": RANGE * RANGE_ERROR}
-    shift = 300_000 * (1 - gaussian_cosine(math.radians(0.5)))
+    shift = 300_000 * (1 - moments.gaussian(COSINE, moments.HALF_DEGREE))
     rows = [("angle error, cosine", "sine", "distance", "x1 - s1", "x2 - s2", "probability")]
     rows += [
         (str(cosine), str(b), str(z), str(z * b), str(z * cosine), "1/4")
@@ -203,5 +198,6 @@ DECISIONS: Mapping[str, Callable[[], Decision]] = {
     "cyclic_spsa.eq_14_axes": axes,
     "cyclic_spsa.eq_14_rotation": rotation,
     "cyclic_spsa.eq_14_trace": trace,
+    **moments.DECISIONS,
     **cost.DECISIONS,
 }
