@@ -74,6 +74,6 @@ def ellipses(distance: float, along: float, across: float) -> Plot:
             Curve("sharp", *ellipse(across, along, math.pi / 2), "correct"),
             Curve("printed", *ellipse(along, across, 0.0), "printed"),
         ),
-        dots=(Dots("held", (0.0,), (distance,), "target"),),
+        dots=(Dots("held", (0.0,), (distance,)),),
         equal=True,
     )

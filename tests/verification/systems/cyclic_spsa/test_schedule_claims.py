@@ -10,7 +10,11 @@ from verification.certificates import check
 from verification.certificates.make import CertificateError, statements
 from verification.systems.cyclic_spsa.claims import DECISIONS
 from verification.systems.cyclic_spsa.claims.common import replayed
-from verification.systems.cyclic_spsa.schedule_figures import blocks_over_time
+from verification.systems.cyclic_spsa.schedule_figures import (
+    age_of_the_base,
+    blocks_over_time,
+    lag_of_steps,
+)
 
 
 def rows(name):
@@ -138,3 +142,17 @@ def test_the_figure_marks_each_pair_that_is_split(k, marked):
     figure = blocks_over_time(k, 2)
     assert len(figure.dots[0].x) == marked
     assert max(figure.curves[0].y) == k
+
+
+@pytest.mark.parametrize("k", [1, 2, 4])
+def test_the_figure_of_ages_is_above_the_last_update_where_the_base_is_stale(k):
+    last, printed = age_of_the_base(k, 5).curves
+    stale = [age > last.y[0] for age in printed.y]
+    assert any(stale) == (k > 1)
+    assert all(stale[2 * k :]) == (k > 1)
+
+
+def test_the_figure_of_lags_ends_where_theory_has_them():
+    kept, falling = lag_of_steps(0.1, 80).curves
+    assert kept.y[-1] == pytest.approx(10, rel=1e-3)
+    assert falling.y[-1] == pytest.approx(81 / 2)  # after n updates it is (n + 1)/2

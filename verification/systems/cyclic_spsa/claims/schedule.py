@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from theory.systems.cyclic_spsa import schedule
 from verification.verdict import Decision, Verdict
 
-from ..schedule_figures import blocks_over_time
+from ..schedule_figures import age_of_the_base, blocks_over_time, lag_of_steps
 from . import steps
 from .common import disproof, proofs, replayed
 
@@ -27,6 +27,7 @@ def decreasing() -> Decision:
         sharp="lag 2k eta/(alpha h)",
         margin_text="identical; the lag has a value",
         certificates=proofs("section_3_decreasing", "section_3_decreasing_constant"),
+        figure=lag_of_steps(0.1, 80),
     )
 
 
@@ -137,6 +138,7 @@ def base_point() -> Decision:
         repair_formula=r"x_{t-1}=\hat\theta_{t-2}-\beta\Delta_T,\qquad "
         r"x_t=\hat\theta_{t-2}+\beta\Delta_T",
         certificates=disproof("algorithm_1_base_point") | proofs("algorithm_1_base_point_repair"),
+        figure=age_of_the_base(BLOCKS, CYCLES),
     )
 
 
