@@ -12,6 +12,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+
 from verification.exact.balls import half_exponent
 from verification.exact.evaluate import Rows
 from verification.exact.modes import exact, middle
@@ -20,8 +22,10 @@ from .block_inputs import Block
 from .moments import exact_operators
 
 Matrix = list[list[Fraction]]
-STEPS = 60
+STEPS = 100
 """Of the inverse iteration; it converges faster than linearly."""
+NOISE = 1e-9
+"""Room for the rounding of doubles in eigenvalues of matrices with ones on the diagonal."""
 
 
 def places(size: int) -> list[tuple[int, int]]:
@@ -85,61 +89,60 @@ class Stacked:
         return None if found is None else _fractions(symmetric(found, self.block.size))
 
     def kept(self, bits: int) -> tuple[Fraction, Matrix] | None:
-        """The limit and P with limit K(HPH) = HP + PH, about, by shifted inverse iteration.
-
-        The shift follows the limit from below, by twice the last change of its estimate, and goes
-        back down where it has passed it.
-        """
+        """The limit and P with limit K(HPH) = HP + PH, about, by shifts from below."""
         import flint
 
-        spots = places(self.block.size)
-        own = [k for k, (i, j) in enumerate(spots) if i == j]
         with flint.ctx.workprec(bits):
             pull, kick = flint.arb_mat(self.pull), flint.arb_mat(self.kick)
-            vector = flint.arb_mat([[flint.arb(int(i == j))] for i, j in spots])
-            shift, limit = flint.arb(0), flint.arb(0)
-            for _ in range(STEPS):
-                found = _solved(pull - kick * shift, kick * vector)
-                if found is None:
-                    return None
-                trace = sum((found[k, 0] for k in own), start=flint.arb(0)).mid()
-                before, limit = limit, (shift + len(own) / trace).mid()
-                vector = middle(found * (len(own) / trace).mid())
-                change = abs(limit - before)
-                if change <= limit * flint.arb(2) ** (16 - bits // 2):
-                    return exact(limit), _fractions(symmetric(vector, self.block.size))
-                near = (limit - 2 * change).mid()
-                shift = near if near > shift or shift > limit else shift
-        return None
+
+            def solved(shift: Any, vector: Any) -> Any | None:
+                return _solved(pull - kick * shift, kick * vector)
+
+            return self._leading(solved, flint.arb(0), 1, bits)
 
     def multiplier(self, step: Fraction, bits: int) -> tuple[Fraction, Matrix] | None:
-        """The spectral radius r of one update and P with L(P) = rP, about, by inverse iteration.
+        """The spectral radius r of one update and P with L(P) = rP, about, by shifts from above."""
+        import flint
 
-        The shift follows r from above, by twice the last change of its estimate, and goes back up
-        where it has fallen below.
+        with flint.ctx.workprec(bits):
+            update = flint.arb_mat(self.update(step))
+            n = update.nrows()
+            one = flint.arb_mat([[int(i == j) for j in range(n)] for i in range(n)])
+            above = max(sum(map(abs, row), start=flint.arb(0)).mid() for row in update.tolist())
+
+            def solved(shift: Any, vector: Any) -> Any | None:
+                return _solved(one * shift - update, vector)
+
+            return self._leading(solved, above, -1, bits)
+
+    def _leading(
+        self, solved: Callable[[Any, Any], Any], safe: Any, sign: int, bits: int
+    ) -> tuple[Fraction, Matrix] | None:
+        """A leading value and its matrix by inverse iteration.
+
+        The shift follows the value by twice the last change of its estimate. On the safe side, and
+        only there, what is solved for a positive definite matrix is positive definite, because
+        the operators are positive: where it is not, the shift goes back half of the way.
         """
         import flint
 
         spots = places(self.block.size)
         own = [k for k, (i, j) in enumerate(spots) if i == j]
-        with flint.ctx.workprec(bits):
-            update = flint.arb_mat(self.update(step))
-            one = flint.arb_mat([[int(i == j) for j in spots] for i in spots])
-            vector = flint.arb_mat([[flint.arb(int(i == j))] for i, j in spots])
-            shift = max(sum(map(abs, row), start=flint.arb(0)).mid() for row in update.tolist())
-            radius = flint.arb(0)
-            for _ in range(STEPS):
-                found = _solved(one * shift - update, vector)
-                if found is None:
-                    return None
-                trace = sum((found[k, 0] for k in own), start=flint.arb(0)).mid()
-                before, radius = radius, (shift - len(own) / trace).mid()
-                vector = middle(found * (len(own) / trace).mid())
-                change = abs(radius - before)
-                if change <= abs(radius) * flint.arb(2) ** (16 - bits // 2):
-                    return exact(radius), _fractions(symmetric(vector, self.block.size))
-                near = (radius + 2 * change).mid()
-                shift = near if near < shift or shift < radius else shift
+        vector = flint.arb_mat([[flint.arb(int(i == j))] for i, j in spots])
+        shift, value = safe, flint.arb(0)
+        for _ in range(STEPS):
+            found = solved(shift, vector)
+            if found is None or not _semidefinite(symmetric(found, self.block.size)):
+                shift = ((shift + safe) / 2).mid()
+                continue
+            safe, trace = shift, sum((found[k, 0] for k in own), start=flint.arb(0)).mid()
+            before, value = value, (shift + sign * len(own) / trace).mid()
+            vector = middle(found * (len(own) / trace).mid())
+            change = abs(value - before)
+            if change <= abs(value) * flint.arb(2) ** (16 - bits // 2):
+                return exact(value), _fractions(symmetric(vector, self.block.size))
+            near = (value - sign * 2 * change).mid()
+            shift = near if sign * near > sign * shift else shift
         return None
 
     def update(self, step: Fraction) -> Any:
@@ -157,6 +160,19 @@ def _solved(a: Any, b: Any) -> Any | None:
         return middle(a.solve(b, algorithm="approx"))
     except ZeroDivisionError:
         return None
+
+
+def _semidefinite(matrix: list[list[Any]]) -> bool:
+    """Whether a symmetric matrix is positive semidefinite, as far as doubles can tell."""
+    sizes = [row[i].mid() for i, row in enumerate(matrix)]
+    if min(sizes) <= 0:
+        return False
+    roots = [size.sqrt().mid() for size in sizes]
+    even = [
+        [float((x / (a * b)).mid()) for x, b in zip(row, roots, strict=True)]
+        for row, a in zip(matrix, roots, strict=True)
+    ]
+    return bool(np.linalg.eigvalsh(even)[0] >= -NOISE)
 
 
 def _fractions(matrix: list[list[Any]]) -> Matrix:
