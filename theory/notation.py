@@ -32,7 +32,10 @@ GREEK = frozenset(
         "omega",
     }
 )
-HATS = {"hat": r"\hat{%s}", "star": "%s^*"}
+CAPITALS = frozenset(
+    {"Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi", "Omega"}
+)
+HATS = {"hat": r"\hat{%s}", "star": "%s^*", "minus": "%s^-", "plus": "%s^+"}
 
 
 @dataclass(frozen=True)
@@ -57,9 +60,9 @@ class Entry:
 
 
 def latex(name: str) -> str:
-    """LaTeX of an identifier: Greek names, ``_hat`` and ``_star`` as marks, else an index."""
+    """LaTeX of an identifier: Greek names, a mark of `HATS` behind ``_``, else an index."""
     head, _, index = name.partition("_")
-    symbol = f"\\{head}" if head in GREEK else head
+    symbol = f"\\{head}" if head in GREEK | CAPITALS else head
     if index in HATS:
         return HATS[index] % symbol
     return f"{symbol}_{{{index}}}" if index else symbol

@@ -35,6 +35,9 @@ def test_glossary_is_a_table_for_each_system() -> None:
         ("b_hat", r"\hat{b}"),
         ("p_star", "p^*"),
         ("b_0i", "b_{0i}"),
+        ("Delta", r"\Delta"),
+        ("x_minus", "x^-"),
+        ("Mode", "Mode"),
     ],
 )
 def test_names_become_latex(name: str, expected: str) -> None:
