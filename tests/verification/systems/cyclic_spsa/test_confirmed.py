@@ -14,6 +14,7 @@ from verification.inputs import read_inputs
 from verification.systems.cyclic_spsa.confirmed import confirm_mean, confirm_mean_square
 from verification.systems.cyclic_spsa.expected import Setting, expected_squares
 from verification.systems.cyclic_spsa.frozen import frozen_blocks, frozen_error
+from verification.systems.cyclic_spsa.stability import step_limit
 from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE, stationary_mean, stationary_mse
 
 NOISE = [["0.3", "0.1"], ["0.1", "0.2"]]
@@ -130,9 +131,10 @@ def resting(instants, speed):
 @pytest.mark.parametrize("speed", [0.0, 0.3])
 def test_expectations_settle_at_the_closed_forms(instants, speed):
     setting = resting(instants, speed)
-    squares, _ = expected_squares(setting)
+    squares, limit = expected_squares(setting)
     ((_, values),) = frozen_blocks(setting, "gaussian", 3990)
     assert squares[3990].sum() == pytest.approx(stationary_mse(values).value, rel=1e-6)
+    assert limit == pytest.approx(step_limit(values).value, rel=1e-8)
     both = np.sqrt(squares[3990:3992].mean())
     assert both == pytest.approx(frozen_error(setting, "gaussian", 3990), rel=1e-6)
 

@@ -1,11 +1,12 @@
 """What is expected of a run is what runs do on average, and at rest what the closed form says."""
 
 import copy
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from sensortrack.simulation import simulate
+from sensortrack.simulation import read_scenario, simulate
 from sensortrack.simulation.scenario import scenario_of
 from tests.sensortrack.test_spsa_simulation import BASE, changed
 from verification.statistics import mean_interval
@@ -69,3 +70,42 @@ def test_before_the_first_update_the_start_is_all_there_is():
     (found,) = expectations(run)
     assert found["value"][:2] == pytest.approx(run["estimates"][0]["error"][:2], rel=1e-5)
     assert BASE["estimator"]["alpha"] == found["alpha"]
+
+
+def shortened(name, length, slow):
+    """A shipped scenario without baselines and some settings, its last sixth counted."""
+    scenario = read_scenario(name)
+    header = replace(scenario.header, duration_s=length, summary_from_s=length * 5 / 6)
+    kept = tuple(entry for entry in scenario.parts["variant"] if entry.name not in slow)
+    parts = {**scenario.parts, "variant": kept}
+    return replace(scenario, header=replace(header, baselines=()), parts=parts)
+
+
+@pytest.mark.parametrize(
+    "name,length,slow,settles,lost",
+    [
+        (
+            *("erofeeva_section_5", 240.0, ("one instant, m_max 3", "one instant, m_max 1")),
+            *({"one instant, m_max 6"}, 3),
+        ),
+        (
+            *("spsa_solent", 300.0, ("two instants, one target at a time",)),
+            *({"two instants", "one instant"}, 1),
+        ),
+    ],
+    ids=["erofeeva_section_5", "spsa_solent"],
+)
+def test_shipped_scenarios_do_what_their_words_say(name, length, slow, settles, lost):
+    """What settles does so near the expected time and error; the published step sizes diverge."""
+    run = simulate(shortened(name, length, slow)).to_data()
+    beside = {entry["of"]: entry for entry in expectations(run)}
+    rows = {row["estimate"]: row for row in run["summary"]}
+    assert {key for key, row in rows.items() if row["settled"] is not None} == settles
+    for key in settles:
+        assert rows[key]["settled"] == pytest.approx(beside[key]["settled"], rel=0.4)
+        assert rows[key]["position_rms"] == pytest.approx(beside[key]["rms"], rel=0.3)
+    diverged = {key for key, row in rows.items() if row["diverged"] is not None}
+    assert len(diverged) == lost
+    assert all(beside[key]["alpha"] > 1000 * beside[key]["limit"] for key in diverged)
+    assert all(rows[key]["diverged"] < 13 for key in diverged)
+    assert {event["of"] for event in run["events"]} == diverged
