@@ -82,9 +82,10 @@ def signs(counter: Counter, key: tuple[int, int], count: int) -> list[int]:
     low, *rest = counter
     while len(found) < count:
         for word in philox((low, rest[0], rest[1], rest[2]), key):
-            found += [1 if word >> bit & 1 else -1 for bit in range(64)]
+            wanted = min(64, count - len(found))
+            found += [1 if word >> bit & 1 else -1 for bit in range(wanted)]
         low += 1
-    return found[:count]
+    return found
 
 
 def whole(name: str, value: object, least: int = 0, most: int = MASK) -> int:

@@ -108,27 +108,37 @@ def expected(run: Mapping[str, Any], entry: Mapping[str, Any], setting: Setting)
 
 def setting_of(run: Mapping[str, Any], entry: Mapping[str, Any]) -> Setting:
     """A setting along the paths of a run, which are smooth between the kept samples."""
-    from scipy.interpolate import CubicHermiteSpline
-
     kept = np.array(run["time"], dtype=float)
     place, rate = (
         np.array([target[key] for target in run["targets"]], dtype=float)[..., :2]
         for key in ("position", "velocity")
     )
     time = kept[0] + float(run["parameters"]["h"]) * np.arange(run["samples"])
-    spline = CubicHermiteSpline(kept, np.swapaxes(place, 0, 1), np.swapaxes(rate, 0, 1))
     noise = run["spsa"]["noise"]
     return Setting(
         alpha=float(entry["alpha"]),
         beta=float(entry["beta"]),
         instants=2 if entry["reading"] == "two" else 1,
-        paths=np.asarray(spline(time)),
+        paths=_between(kept, np.swapaxes(place, 0, 1), np.swapaxes(rate, 0, 1), time),
         sensors=np.array([sensor["position"][0][:2] for sensor in run["sensors"]], dtype=float),
         along=float(noise["along"]),
         across=float(noise["across"]),
         shares=entry["shares"],
         start=np.array(entry["start"], dtype=float),
     )
+
+
+def _between(kept: Floats, place: Floats, rate: Floats, time: Floats) -> Floats:
+    """Positions at all samples: Hermite's cubics between the kept ones, the last one continued."""
+    first = np.minimum(np.searchsorted(kept, time, side="right") - 1, max(len(kept) - 2, 0))
+    if len(kept) == 1:
+        return place[first]
+    h = (kept[first + 1] - kept[first])[:, None, None]
+    s = (time - kept[first])[:, None, None] / h
+    step = place[first + 1] - place[first]
+    start, end = h * rate[first] - step, step - h * rate[first + 1]
+    bend = s * (1 - s) * ((1 - s) * start + s * end)
+    return np.asarray(place[first] + s * step + bend)
 
 
 def expected_squares(setting: Setting) -> tuple[Floats, float]:

@@ -11,6 +11,7 @@ from sensortrack.simulation.scenario import scenario_of
 from tests.sensortrack.test_spsa_simulation import BASE, changed
 from verification.statistics import mean_interval
 from verification.systems.cyclic_spsa.envelopes import envelopes, expectations
+from verification.systems.cyclic_spsa.expected import setting_of
 
 SEEDS = range(40)
 TIMES = (12, 25, 60)
@@ -109,3 +110,14 @@ def test_shipped_scenarios_do_what_their_words_say(name, length, slow, settles, 
     assert all(beside[key]["alpha"] > 1000 * beside[key]["limit"] for key in diverged)
     assert all(rows[key]["diverged"] < 13 for key in diverged)
     assert {event["of"] for event in run["events"]} == diverged
+
+
+def test_paths_between_kept_samples_are_those_that_were_run():
+    """More samples than are kept: what lies between, and after the last, is the path again."""
+    scenario = scenario_of("toy", changed((("duration_s",), 70.7), (("estimator", "h_s"), 0.1)))
+    run = simulate(replace(scenario, header=replace(scenario.header, baselines=()))).to_data()
+    assert len(run["time"]) < run["samples"]
+    assert run["time"][-1] < 70.65
+    paths = setting_of(run, run["spsa"]["variants"][0]).paths
+    truth = scenario.target.at(0.1 * np.arange(708))[0][..., :2]
+    assert np.abs(paths - truth).max() < 1e-4
