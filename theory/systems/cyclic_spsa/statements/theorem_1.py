@@ -179,6 +179,37 @@ def _walk() -> Statement:
     return refuted("theorem_1_bound_walk", words, show, ("keep", "fresh", "square"))
 
 
+def _found() -> Statement:
+    def cost(noise: str) -> Cost:
+        return lambda z: f"M*({z} - ({noise})*sigma)**2/2"
+
+    steps = [
+        update(sign, f"({SECOND})", f"({FIRST})", (cost(late), cost(early)))
+        for sign, late, early in product(SIGNS, repeat=3)
+    ]
+    words = (
+        f"{PROMISED}; d = k = 1, the cost M (x - theta - w)^2/2 with w = sigma or -sigma, equally "
+        "likely and new in every sample, so that mu = M, c2 = M^2 sigma^2 and c3 = c4 = 0, two "
+        "instants, and a target that moves by delta in every sample. One step makes of the error x "
+        "the mean slope x + shift and the mean square keep x^2 + tilt x + fresh; they tend to "
+        "`error` and `square`, and the root of `square` is above the bound"
+    )
+    show = (
+        *(text for text in constants() if not text.startswith(("mu", "M", "c2"))),
+        "mu == M",
+        "c2 == M**2*sigma**2",
+        f"forall(x, 0, 1, {mean(steps)} == slope*x + shift)",
+        f"forall(x, 0, 1, {mean_square(steps)} == keep*x**2 + tilt*x + fresh)",
+        "slope**2 < 1",
+        "keep < 1",
+        "error == slope*error + shift",
+        "square == keep*square + tilt*error + fresh",
+        "square > bound**2",
+    )
+    names = ("sigma", "slope", "shift", "keep", "tilt", "fresh", "error", "square")
+    return refuted("theorem_1_bound_found", words, show, names)
+
+
 STATEMENTS: tuple[Statement, ...] = (
     *(entry.statement for entry in UNIVERSAL),
     _lag("theorem_1_bound", FIRST, "two instants"),
@@ -189,5 +220,6 @@ STATEMENTS: tuple[Statement, ...] = (
     _additive("theorem_1_bound_noise", "measured with additive noise v", "c_v^2"),
     _additive("theorem_1_bound_level", "+ w with a level w", "c4"),
     _walk(),
+    _found(),
     *theorem_1_examples.STATEMENTS,
 )

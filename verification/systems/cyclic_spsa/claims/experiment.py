@@ -9,6 +9,8 @@ from typing import Any
 from verification.certificates.make import certificate
 from verification.verdict import Decision, Verdict
 
+from ..claim_figures import steps_over_perturbations
+from ..looseness import Case
 from ..stability import decide_step, step_limit
 from .common import disproof, proofs
 
@@ -75,6 +77,9 @@ def stable_two_instants() -> Decision:
         sharp_value=limit,
         margin_text=f"{0.05 / limit:.4g} times too large",
         certificates={"cyclic_spsa.section_5_stable_two_instants": document},
+        figure=steps_over_perturbations(
+            Case(12, ALPHA, BETA, Fraction(53, 10), Fraction(0)), end=2.0
+        ),
     )
 
 

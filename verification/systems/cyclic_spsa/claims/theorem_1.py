@@ -4,68 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from itertools import product
-from typing import Any
 
 from verification.verdict import Decision, Verdict
 
+from ..claim_figures import steps_over_perturbations
+from ..looseness import Case
 from ..promises import promised
-from . import theorem_1_assumptions
+from ..stability import step_limit
+from . import theorem_1_assumptions, theorem_1_bound
 from .common import proofs, replayed
 from .theorem_1_assumptions import relied
+from .theorem_1_repair import PROOF, corrected
 
-Document = dict[str, Any]
-
-PROOF = (
-    "theorem_1_mean_step",
-    "theorem_1_mean_square",
-    "theorem_1_recursion",
-    "theorem_1_fixed_point",
-    "theorem_1_root",
-    "theorem_1_second_branch_repair",
-)
-"""Steps (i) to (v) of the repaired proof, and that 1 - alpha m is positive."""
-REPAIR = (
-    "With Assumption 5 for every x and the squared distance, gamma = 3d(M^2 d + c3/(8 beta^2)) and "
-    "0 < alpha < mu/gamma, the root of the mean square of the error of a block tends to at most "
-    "[b + 2k delta/alpha + (b^2 + m l + 4k delta b/alpha + (2k delta/alpha)^2 (1 - alpha m))^(1/2)]"
-    "/m - 2k delta, with b and l as repaired; all steps of the proof are checked."
-)
-REPAIR_FORMULA = (
-    r"\frac{b+\frac{2k\delta}\alpha+\sqrt{b^2+ml+\frac{4k\delta b}\alpha+"
-    r"\bigl(\frac{2k\delta}\alpha\bigr)^2(1-\alpha m)}}{m}-2k\delta,\quad"
-    r"\gamma=3d\Bigl(M^2d+\frac{c_3}{8\beta^2}\Bigr)"
-)
-STEADY: Mapping[str, Fraction] = {
-    "alpha": Fraction(1, 20),
-    "beta": Fraction(1),
-    "delta": Fraction(1),
-}
 FAST: Mapping[str, Fraction] = {
     "alpha": Fraction(1, 5),
     "beta": Fraction(3, 100),
     "delta": Fraction(1),
 }
 NOISY: Mapping[str, Fraction] = {"alpha": Fraction(1, 20), "beta": Fraction(1, 100)}
-SLOW: Mapping[str, Fraction] = {
-    "alpha": Fraction(1, 1000),
-    "beta": Fraction(3, 10),
-    "delta": Fraction(1),
-}
 START, GROWTH = Fraction(2), Fraction(3, 2)
-
-
-def corrected(certificates: Mapping[str, Document], **fields: Any) -> Decision:
-    """A claim that the repaired theorem replaces."""
-    made = {**certificates, **proofs(*PROOF)}
-    return Decision(
-        verdict=Verdict.CORRECTED,
-        repair=REPAIR,
-        repair_formula=REPAIR_FORMULA,
-        certificates=made,
-        relies_on=relied(made),
-        **fields,
-    )
 
 
 def interval() -> Decision:
@@ -96,6 +53,9 @@ def interval() -> Decision:
         sharp_value=float(sharp),
         margin_text=f"{float(limit / sharp):.3g} times too large in the example",
         replay=shortest_path(FAST, START),
+        figure=steps_over_perturbations(
+            Case(1, FAST["alpha"], FAST["beta"], Fraction(0), FAST["delta"])
+        ),
     )
 
 
@@ -145,116 +105,23 @@ def interval_one_instant() -> Decision:
     )
 
 
-def lag(name: str, samples: Fraction, instants: str) -> Decision:
-    """The mean error alone is above the bound."""
-    alpha, delta = STEADY["alpha"], STEADY["delta"]
-    given = promised(STEADY)
-    error = (samples - 2 / alpha) * delta
-    printed, size = float(given["bound"]), float(-error)
-    rows = [("step", "mean error")]
-    mean = Fraction(0)
-    for step in range(101):
-        if step % 20 == 0:
-            rows.append((str(step), f"{float(mean):.6g}"))
-        mean = (1 - alpha) * mean - alpha * ((2 / alpha) - samples) * delta
-    rows.append(("limit", str(error)))
-    return corrected(
-        replayed(name, {**given, "error": error}),
-        reason=f"For f_t(x) = (x - t)^2/2 without noise, alpha = 1/20, beta = 1 and {instants}, "
-        f"the mean error tends to {error}, replayed from the costs themselves, and (21) promises "
-        f"{printed:.5g}. The target moves by 2k delta before a step of alpha corrects anything, "
-        "a lag of 2k delta/alpha; in the printed l the drift of a cycle meets the error as if it "
-        "were multiplied by alpha. As alpha tends to 0 the ratio grows as 2 (2/alpha)^(1/2).",
-        printed=f"{printed:.6g} in the example",
-        sharp=f"at least {-error} in the example",
-        printed_value=printed,
-        sharp_value=size,
-        margin_text=f"the error is {size / printed:.3g} times the bound in the example",
-        replay=tuple(rows),
-    )
-
-
-def bound() -> Decision:
-    """Two instants: the later target counts half."""
-    return lag("theorem_1_bound", Fraction(3, 2), "two instants")
-
-
-def bound_one_instant() -> Decision:
-    """One instant."""
-    return lag("theorem_1_bound_one_instant", Fraction(2), "one instant")
-
-
-def bound_noise() -> Decision:
-    """Additive noise is divided by beta, twice in the mean square."""
-    alpha, beta = NOISY["alpha"], NOISY["beta"]
-    keep, fresh = (1 - alpha) ** 2, alpha**2 / (2 * beta**2)
-    end = {"keep": keep, "fresh": fresh, "square": fresh / (1 - keep)}
-    given = {name: promised({**NOISY, name: 2}) for name in ("c_v2", "c4")}
-    made = {
-        **replayed("theorem_1_bound_noise", {**given["c_v2"], **end}),
-        **replayed("theorem_1_bound_level", {**given["c4"], **end}),
-    }
-    size = float(end["square"]) ** 0.5
-    printed = {name: float(entry["bound"]) for name, entry in given.items()}
-    return corrected(
-        made,
-        reason="For x^2/2 with noise of 1 or -1 in each measured cost, alpha = 1/20 and beta = "
-        f"1/100, the mean square of the error tends to {end['square']}, replayed over all signs. "
-        f"Counted as c_v^2 = 2, (21) promises {printed['c_v2']:.4g}, and {printed['c4']:.4g} if it "
-        "is counted as c4 = 2. In the mean square of the pseudogradient such noise is divided by "
-        "beta^2; the printed l divides c4 by beta and c_v^2 by nothing.",
-        printed=f"{printed['c_v2']:.6g} or {printed['c4']:.6g} in the example",
-        sharp=f"{size:.6g} in the example",
-        printed_value=printed["c4"],
-        sharp_value=size,
-        margin_text=f"the error is {size / printed['c4']:.3g} times the larger bound",
-    )
-
-
-def walk_moments(given: Mapping[str, Fraction], x: Fraction) -> Fraction:
-    """Mean square of the error after a step, of a target on a walk, over all signs."""
-    alpha, beta, delta = (given[name] for name in ("alpha", "beta", "delta"))
-    total = Fraction(0)
-    for sign, p, q in product((1, -1), repeat=3):
-        late, early = x - (p + q) * delta, x - p * delta
-        costs = (late + sign * beta) ** 2 / 2 - (early - sign * beta) ** 2 / 2
-        total += (late - alpha * sign * costs / (2 * beta)) ** 2
-    return total / 8
-
-
-def bound_walk() -> Decision:
-    """Two samples of drift meet a step, and the printed l counts one."""
-    given = promised(SLOW)
-    fresh = walk_moments(SLOW, Fraction(0))
-    keep = walk_moments(SLOW, Fraction(1)) - fresh
-    end = {"keep": keep, "fresh": fresh, "square": fresh / (1 - keep)}
-    size, printed = float(end["square"]) ** 0.5, float(given["bound"])
-    return corrected(
-        replayed("theorem_1_bound_walk", {**given, **end}),
-        reason="For a target that moves by 1 or -1 in every sample, alpha = 1/1000 and beta = "
-        f"3/10, the root of the mean square of the error tends to {size:.5g}, replayed over all "
-        f"signs, and (21) promises {printed:.5g}. Between two updates there are two samples of "
-        "drift, and the printed l counts one.",
-        printed=f"{printed:.6g} in the example",
-        sharp=f"{size:.6g} in the example",
-        printed_value=printed,
-        sharp_value=size,
-        margin_text=f"the error is {size / printed:.3g} times the bound; 2^(1/2) times in the "
-        "limit of small steps",
-    )
-
-
 def static() -> Decision:
     """Where nothing changes between the instants the printed constants are large enough."""
+    still = Case(3, Fraction(1, 27), Fraction(1), Fraction(0), Fraction(0))
+    document = step_limit(still.block()).certificate
     made = proofs("theorem_1_static", *PROOF)
+    made |= {"cyclic_spsa.theorem_1_bound_static_limit": document} if document else {}
     return Decision(
         verdict=Verdict.PROVED,
         reason="With delta = c2 = c3 = c4 = c_v = 0 the printed m is that of the repaired proof, "
         "and the printed b and l are not below its b and l, for all constants; the bound grows "
         "with both. The interval is safe and short: for mu = M = h the error of d coordinates "
-        "stays bounded up to alpha = 2/(h d).",
+        "stays bounded below alpha = 2/(h d), for d = 3 and h = 1 by a certificate of the limit "
+        "2/3 beside the printed 1/27.",
         printed="alpha < 1/(3 d^2 h) for mu = M = h",
         sharp="alpha < 2/(h d)",
+        printed_value=1 / 27,
+        sharp_value=2 / 3,
         margin_text="the interval could be 6 d times as long",
         relies_on=relied(made),
         certificates=made,
@@ -265,9 +132,6 @@ DECISIONS: Mapping[str, Callable[[], Decision]] = {
     **theorem_1_assumptions.DECISIONS,
     "cyclic_spsa.theorem_1_interval": interval,
     "cyclic_spsa.theorem_1_interval_one_instant": interval_one_instant,
-    "cyclic_spsa.theorem_1_bound": bound,
-    "cyclic_spsa.theorem_1_bound_one_instant": bound_one_instant,
-    "cyclic_spsa.theorem_1_bound_noise": bound_noise,
-    "cyclic_spsa.theorem_1_bound_walk": bound_walk,
+    **theorem_1_bound.DECISIONS,
     "cyclic_spsa.theorem_1_bound_static": static,
 }

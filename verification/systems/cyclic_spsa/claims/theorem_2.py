@@ -13,8 +13,8 @@ from ..promises import promised, promised_2
 from ..stability import decide_step, step_limit
 from . import theorem_2_constants
 from .common import proofs
-from .theorem_1 import PROOF, REPAIR_FORMULA
 from .theorem_1_assumptions import relied
+from .theorem_1_repair import PROOF, REPAIR_FORMULA
 
 Document = dict[str, Any]
 

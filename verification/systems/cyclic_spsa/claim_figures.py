@@ -1,0 +1,131 @@
+"""Figures of the claims about the theorems: errors and steps, exact, printed and proved."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+
+from theory.systems.cyclic_spsa.bounds import PRINTED, PROVED, Bound, evaluated
+from verification.figure import Area, Axis, Curve, Dots, Plot
+
+from .looseness import Case, case, compared
+
+Floats = tuple[float, ...]
+STEPS = 25
+MOVING = case(2, "0.001", "1", "0.1", "0.1")
+
+
+def errors_over_steps(chosen: Case = MOVING, low: float = -4.0) -> Plot:
+    """Exact error of a moving target, printed and proved bound, over the step.
+
+    Parameters
+    ----------
+    chosen : Case, optional
+        Its own step does not count.
+    low : float, optional
+        Logarithm of the smallest step.
+    """
+    end = float(limit(PROVED, chosen.constants_at_every_point()))
+    steps = np.geomspace(10.0**low, 0.9 * end, STEPS)
+    cases = [
+        Case(
+            chosen.d,
+            Fraction(float(a)).limit_denominator(10**9),
+            chosen.beta,
+            chosen.sigma,
+            chosen.delta,
+        )
+        for a in steps
+    ]
+    rows = compared(cases)
+    x: Floats = tuple(float(entry.alpha) for entry in cases)
+    exact = tuple(row.exact for row in rows)
+    printed = tuple(row.printed for row in rows)
+    proved = tuple(row.corrected for row in rows)
+    every = (*exact, *printed, *proved)
+    below = [k for k, row in enumerate(rows) if row.printed < row.exact]
+    return Plot(
+        title="Error of a moving target over the step, and what is promised",
+        finding="The printed bound lies below the exact error for small steps, the proved one "
+        "above it and close.",
+        caption=f"Two coordinates, Hessian 1, beta = {float(chosen.beta):g} m, noise "
+        f"{float(chosen.sigma):g} m in each coordinate, drift {float(chosen.delta):g} m a sample; "
+        "where the printed bound is below the error the claim is false (hatched).",
+        x=Axis("step alpha", "", x[0], x[-1], log=True),
+        y=Axis("root-mean-square error", "m", min(every) / 2, max(every) * 2, log=True),
+        curves=(
+            Curve("sharp", x, exact, "exact"),
+            Curve("printed", x, printed, "printed"),
+            Curve("bound", x, proved, "proved"),
+        ),
+        areas=(
+            Area(
+                "false",
+                tuple(x[k] for k in below),
+                tuple(printed[k] for k in below),
+                tuple(exact[k] for k in below),
+            ),
+        )
+        if len(below) > 1
+        else (),
+    )
+
+
+def limit(bound: Bound, given: dict[str, Fraction]) -> Fraction:
+    """mu/gamma."""
+    values = dict(given)
+    for line in bound.limit:
+        values[line.name] = evaluated(line.tree, values)
+    return Fraction(values[bound.limit[-1].name])
+
+
+def steps_over_perturbations(chosen: Case, end: float = 1.0) -> Plot:
+    """Steps for which the mean-square error stays bounded, over the size of the perturbation.
+
+    Parameters
+    ----------
+    chosen : Case
+        Its step and its size of the perturbation are marked as the counterexample.
+    end : float, optional
+        Logarithm of the largest size.
+    """
+    sizes = np.geomspace(float(chosen.beta) / 10, 10.0**end, 40)
+    cases = [
+        Case(chosen.d, chosen.alpha, Fraction(float(b)), chosen.sigma, chosen.delta, chosen.k)
+        for b in sizes
+    ]
+    exact = tuple(exact_limit(entry) for entry in cases)
+    printed = tuple(float(limit(PRINTED, entry.constants())) for entry in cases)
+    proved = tuple(float(limit(PROVED, entry.constants_at_every_point())) for entry in cases)
+    x: Floats = tuple(sizes.tolist())
+    low, top = min(proved) / 2, 3 * max(*exact, *printed)
+    wrong = tuple(max(a, b) for a, b in zip(exact, printed, strict=True))
+    here = float(chosen.beta), float(chosen.alpha)
+    return Plot(
+        title="Steps for which the mean-square error stays bounded",
+        finding="The printed limit does not fall with the perturbation; the exact one falls as its "
+        "square.",
+        caption=f"{chosen.d} coordinates, Hessian 1, noise {float(chosen.sigma):g} and drift "
+        f"{float(chosen.delta):g} in each sample, two instants: below the exact limit the error "
+        "stays bounded, between it and the printed one (hatched) the claim is false; the steps of "
+        "the repaired theorem are shaded, the counterexample is marked.",
+        x=Axis("size of the perturbation beta", "", x[0], x[-1], log=True, ticks=(here[0],)),
+        y=Axis("step alpha", "", low, top, log=True, ticks=(here[1],)),
+        curves=(
+            Curve("sharp", x, exact, "exact"),
+            Curve("printed", x, printed, "printed"),
+            Curve("bound", x, proved, "proved"),
+        ),
+        areas=(
+            Area("false", x, exact, wrong),
+            Area("proved", x, (low,) * len(x), proved),
+        ),
+        dots=(Dots("refuting", (here[0],), (here[1],)),),
+    )
+
+
+def exact_limit(entry: Case) -> float:
+    """alpha sum (1 + N_ii) < 2 for the Hessian 1: two noises and the drift, over 2 beta."""
+    spread = 2 * entry.d * entry.sigma**2 + entry.delta**2
+    return float(2 / (entry.d + spread / (4 * entry.beta**2)))
