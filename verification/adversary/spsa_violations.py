@@ -167,7 +167,7 @@ def search(seed: int = 0, drawn: int = 2000, improved: int = 3) -> Found:
         return -float(ratios(point)) if inside and _calm(point) else 0.0
 
     starts = logs[np.argsort(-eligible)[:improved]]
-    options = {"maxiter": 250, "xatol": 1e-3, "fatol": 1e-3}
+    options: Any = {"maxiter": 250, "xatol": 1e-3, "fatol": 1e-3}
     ends = [minimize(loss, start, method="Nelder-Mead", options=options) for start in starts]
     best = min(ends, key=lambda end: float(end.fun))
     worst = _rounded(_point(best.x), float(-best.fun))

@@ -4,7 +4,15 @@ import copy
 
 import pytest
 
-from theory.systems.cyclic_spsa.statements import PROOFS, measurement, schedule
+from tests.verification.systems.cyclic_spsa.decided import decided
+from theory.systems.cyclic_spsa.statements import (
+    PROOFS,
+    experiment,
+    measurement,
+    schedule,
+    theorem_1,
+    theorem_2,
+)
 from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate, statements
 from verification.systems.cyclic_spsa.claims import DECISIONS
@@ -16,13 +24,17 @@ SAID = {
     Verdict.CORRECTED: {"PROVED", "REFUTED"},
     Verdict.REFUTED: {"REFUTED"},
 }
-DECIDED = {name: decide() for name, decide in DECISIONS.items()}
+DECIDED = {name: decided(name) for name in DECISIONS}
 FILES = {
     stem: document
     for decision in DECIDED.values()
     for stem, document in decision.certificates.items()
 }
-NAMES = {entry.name for module in (measurement, schedule) for entry in module.STATEMENTS}
+NAMES = {
+    entry.name
+    for module in (measurement, schedule, theorem_1, theorem_2, experiment)
+    for entry in module.STATEMENTS
+}
 REPLAYED = sorted(
     stem
     for stem, document in FILES.items()
@@ -73,7 +85,12 @@ def test_a_replay_with_any_one_number_changed_is_refused(stem):
                 check.check_document(document | {"inputs": inputs}, statements())
 
 
-FREE = {"cyclic_spsa.eq_2_zero_mean": {"s"}}
+FREE = {
+    "cyclic_spsa.eq_2_zero_mean": {"s"},
+    "cyclic_spsa.assumption_5_every_point": {"x"},
+    "cyclic_spsa.theorem_2_lipschitz": {"x", "r"},
+    "cyclic_spsa.theorem_2_c3_every_point": {"far"},
+}
 """Numbers on which a counterexample does not depend: it is as good anywhere in the plane."""
 
 
