@@ -25,6 +25,9 @@ from .stability import decide_step
 from .stationary import LAW, Settling, law_of, mean_square
 
 DIGITS = 6
+FEW_DIGITS = 4
+"""Of a step found by comparing errors, which are flat about the best one."""
+
 CLOSE = 1.01
 """The error may be this many times that of a perturbation without limit."""
 
@@ -133,7 +136,7 @@ def step_for_network(values: Mapping[str, Any]) -> Designed:
         with flint.ctx.workprec(BITS):
             return float(errors_of(network, plans, top * Fraction(part), law).mean().mid())
 
-    alpha = _short(float(top) * _lowest(error))
+    alpha = _short(float(top) * _lowest(error), FEW_DIGITS)
     with flint.ctx.workprec(BITS):
         rms = errors_of(network, plans, alpha, law).mean().sqrt()
         error_bound = above(ends(rms)[1])
@@ -173,7 +176,7 @@ def _smallest_beta(least: Callable[[Fraction], Any], unit: Fraction, allowed: fl
 
 
 def _lowest(error: Callable[[float], float]) -> float:
-    """Where a function on (0, 1) that falls and then rises is least, to about six digits."""
+    """Where a function on (0, 1) that falls and then rises is least."""
     from scipy.optimize import minimize_scalar
 
     found = minimize_scalar(
@@ -183,8 +186,8 @@ def _lowest(error: Callable[[float], float]) -> float:
     return math.exp(float(found.x))
 
 
-def _short(alpha: float) -> Fraction:
-    return Fraction(f"{alpha:.{DIGITS}g}")
+def _short(alpha: float, digits: int = DIGITS) -> Fraction:
+    return Fraction(f"{alpha:.{digits}g}")
 
 
 def _given(values: Mapping[str, Any]) -> dict[str, Any]:
