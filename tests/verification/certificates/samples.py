@@ -10,6 +10,7 @@ from verification.certificates.make import certificate, statements
 from verification.systems.variational.delays import delay_step_limit
 from verification.systems.variational.design import gains_for_decay
 
+from .own_samples import own_samples
 from .stability_samples import stability_samples
 
 PAIR = {"nodes": ["a", "b"], "edges": [[0, 1]]}
@@ -213,7 +214,7 @@ def samples():
         made[f"{name} {len(made)}"] = certificate(*name.split("."), inputs, witness, **options)
     made |= {f"variational.delay_step_limit {d}": late(d) for d in range(MOST_DELAY + 1)}
     made["variational.design chosen"] = chosen()
-    made |= stability_samples()
+    made |= stability_samples() | own_samples()
     for name in sorted({*statements()} - {key.split()[0] for key in made}):
         made |= {f"{name} decided": entry for entry in decided(name)}
     return made

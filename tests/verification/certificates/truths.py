@@ -9,6 +9,7 @@ import numpy as np
 from sensortrack.networks import Network
 from verification.exact.filippov import filippov_run
 
+from .own_samples import assumptions, network
 from .stability_samples import stable_step, stable_steps
 
 SLACK = 1e-9
@@ -165,6 +166,8 @@ TRUTHS = {
     "algebraic_connectivity": algebraic_connectivity,
     "step": step,
     "step_limit": step_limit,
+    "cyclic_spsa.assumptions": assumptions,
+    "cyclic_spsa.network_step_limit": network,
     "cyclic_spsa.step": stable_step,
     "cyclic_spsa.step_limit": stable_steps,
 }

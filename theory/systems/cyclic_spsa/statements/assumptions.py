@@ -20,7 +20,7 @@ LEVEL = f"((({PULL})*({PULL}) + 4*T(eta)*H*Xi*H*eta + 2*{SPREAD})/4)"
 """Q, b and e."""
 
 UNIT = "exists(I, I*H == H)"
-SETTING = ("pd(H)", "kappa >= -2", "kappa*(Xi - diag(Xi)) == 0*Xi")
+SETTING = ("pd(H)", "Xi == T(Xi)", "kappa >= -2", "kappa*(Xi - diag(Xi)) == 0*Xi")
 INPUTS = {"H": "matrix", "Xi": "matrix", "eta": "matrix"} | dict.fromkeys(
     ("kappa", "mu", "M", "c2", "c3", "c4", "delta"), "number"
 )
@@ -111,14 +111,12 @@ def _of_all() -> Statement:
     show = (
         "low > 0",
         "high >= low",
-        "kappa >= -2",
-        "kappa*(Xi - diag(Xi)) == 0*Xi",
+        *SETTING,
+        UNIT,
+        "H == high*I",
         "mu <= low",
         "M >= high",
         "c2 >= high**2*trace(Xi)",
-        "pd(H)",
-        UNIT,
-        "H == high*I",
         semidefinite("c3*I - 2*high**2*(2*Xi + eta*T(eta))", "1"),
         f"c4 >= high**2*({FURTHER} + 2*({MOVED} + trace(Xi))*trace(Xi) + {FOURTH})/2",
         "delta >= 0",
