@@ -17,6 +17,7 @@ from .witnesses import (
     Item,
     algebraic_limit,
     around,
+    covariance_of,
     diagonal_decaying,
     diagonal_kept,
     diagonal_limit,
@@ -74,7 +75,8 @@ class Limit:
     def witness(self, block: Block) -> list[Item]:
         """In the order of the statement."""
         z = self.decaying
-        return items((identity_of(block), z, around(block, z), *self.kept))
+        chosen = (identity_of(block), z, around(block, z), *self.kept)
+        return items((*chosen, *covariance_of(block)))
 
 
 def limit_of(block: Block) -> Limit | None:

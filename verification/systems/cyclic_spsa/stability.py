@@ -17,7 +17,7 @@ from .block_inputs import Block, block_of
 from .limits import BITS, MOST_STACKED, Limit, decaying_at, limit_of
 from .moments import noise_moments
 from .stacked import Stacked
-from .witnesses import around, identity_of, items, kept_at, rounded_growing
+from .witnesses import around, covariance_of, identity_of, items, kept_at, rounded_growing
 
 USABLE = 1e-6
 WIDE = "no narrower bracket from doubles: the data are too ill-scaled for so many coordinates"
@@ -127,7 +127,7 @@ def decide_step(values: Mapping[str, Any]) -> Answer:
         "cyclic_spsa",
         "step",
         {**block.inputs(), "alpha": alpha},
-        items((identity_of(block), *chosen)),
+        items((identity_of(block), *chosen, *covariance_of(block))),
         case=case,
     )
     return Answer(

@@ -136,8 +136,7 @@ def kept_at(stacked: Stacked, step: Fraction, near: Matrix) -> Rows | None:
         return None
     size = stacked.block.size
     reduced, rank = rest.rref()
-    columns = rest.ncols()
-    leads = [next(j for j in range(columns) if reduced[i, j] != 0) for i in range(rank)]
+    columns, leads = rest.ncols(), _leads(reduced, rank)
     free = [j for j in range(columns) if j not in leads]
     flat = [near[i][j] for i in range(size) for j in range(i + 1)]
     scale = max(abs(x) for x in flat)
@@ -185,6 +184,38 @@ def items(matrices: Iterable[Rows]) -> list[Item]:
 def identity_of(block: Block) -> Rows:
     """The identity of the block's size."""
     return tuple(tuple(Fraction(i == j) for j in range(block.size)) for i in range(block.size))
+
+
+def covariance_of(block: Block) -> tuple[Rows, Rows, Rows]:
+    """F, G > 0 and f > 0 with f Xi = F G F'.
+
+    F is the identity where Xi is definite. Else F has the columns of Xi that span the others, and G
+    is a multiple of the inverse of what they have in common with their rows, in integers: the
+    fractions of a triangular factor would grow from column to column.
+    """
+    import flint
+
+    rank, chosen = _independent(block.noise)
+    if rank == block.size:
+        return identity_of(block), block.noise, ((Fraction(1),),)
+    if not rank:
+        return tuple((Fraction(0),) for _ in block.noise), ((Fraction(1),),), ((Fraction(1),),)
+    inverse = fmpq(tuple(tuple(block.noise[i][j] for j in chosen) for i in chosen)).inv()
+    unit = flint.fmpq(inverse.numer_denom()[1])
+    columns = tuple(tuple(row[j] for j in chosen) for row in block.noise)
+    return columns, rows_of(inverse * unit), ((Fraction(int(unit.p)),),)
+
+
+def _independent(noise: Rows) -> tuple[int, list[int]]:
+    """Rank, and the first columns that are independent."""
+    reduced, rank = fmpq(noise).rref()
+    return rank, _leads(reduced, rank)
+
+
+def _leads(reduced: Any, rank: int) -> list[int]:
+    """Where the rows of a reduced echelon form begin."""
+    columns = range(reduced.ncols())
+    return [next(j for j in columns if reduced[i, j] != 0) for i in range(rank)]
 
 
 def around(block: Block, inner: Rows) -> Rows:

@@ -241,6 +241,15 @@ def test_the_verdict_may_depend_on_the_reading():
     assert not step_limit(block(h=(Fraction(1),))).notes
 
 
+@pytest.mark.parametrize("rank", [0, 1, 2, 3])
+def test_noise_of_every_rank_is_shown_to_be_a_covariance(rank):
+    rows = np.arange(1, 10).reshape(3, 3)[:, :rank] ** 2
+    noise = tuple(tuple(Fraction(int(x), 7) for x in row) for row in rows @ rows.T)
+    made = step_limit(block(h=(Fraction(1), Fraction(2), Fraction(3)), Xi=noise)).certificate
+    assert check.check_document(made, statements())["verdict"] == "PROVED"
+    assert [len(row) for row in made["witness"][-3]["rows"]] == [max(rank, 1)] * 3
+
+
 def test_planted_errors_are_refused():
     values = block(H=UNEVEN, Xi=((Fraction(1, 10),),))
     made = step_limit(values).certificate
@@ -250,6 +259,7 @@ def test_planted_errors_are_refused():
         {"inputs": made["inputs"] | {"beta": "0"}},
         {"inputs": made["inputs"] | {"beta": "99/100"}},
         {"inputs": made["inputs"] | {"reading": "1"}},
+        {"inputs": made["inputs"] | {"Xi": [["1/10", "0"], ["0", "-1/10"]]}},
         {"lower": made["upper"]},
         {"upper": made["lower"]},
         {"case": "PROVED exact"},

@@ -33,7 +33,10 @@ WELL_POSED = (
     f"pd{HESSIAN}",
     "Xi == T(Xi)",
 )
-"""Predicates that the data are those of a block; that Xi is a covariance is what it means."""
+"""Predicates that the data are those of a block; what is missing is `COVARIANCE`."""
+
+COVARIANCE = "exists(F, exists(G, pd(G), exists(f, f > 0, f*Xi == F*G*T(F))))"
+"""Xi is positive semidefinite."""
 
 FOR_DATA = (
     "for the Hessian diag(h) + H, symmetric positive definite, noise of covariance Xi at each "

@@ -16,7 +16,7 @@ from __future__ import annotations
 from ....algebra.noncommuting import Form, letters
 from ....statements import BRACKET, Case, Statement
 from ..error import SYMMETRIC, adjoint, second_moment
-from .common import BLOCK, FOR_DATA, HESSIAN, WELL_POSED, in_data
+from .common import BLOCK, COVARIANCE, FOR_DATA, HESSIAN, WELL_POSED, in_data
 
 H, P, Y, Z = letters("H P Y Z", SYMMETRIC)
 IDENTITY = f"exists(I, I*{HESSIAN} == {HESSIAN})"
@@ -114,7 +114,7 @@ def _step_limit() -> Statement:
         name: Case(
             "PROVED",
             LIMIT_WORDS + how[name],
-            (*WELL_POSED, "lower < upper", IDENTITY, BELOW, show),
+            (*WELL_POSED, "lower < upper", IDENTITY, BELOW, show, COVARIANCE),
             BRACKET,
         )
         for name, show in above.items()
@@ -143,7 +143,7 @@ def _step() -> Statement:
         ),
     }
     found = {
-        name: Case(verdict, words, (*WELL_POSED, "alpha > 0", IDENTITY, show))
+        name: Case(verdict, words, (*WELL_POSED, "alpha > 0", IDENTITY, show, COVARIANCE))
         for name, (verdict, words, show) in cases.items()
     }
     return Statement("cyclic_spsa", "step", found, inputs=BLOCK | {"alpha": "number"})

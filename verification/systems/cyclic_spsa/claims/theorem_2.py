@@ -57,7 +57,8 @@ def diverging(name: str, lines: Mapping[str, Any], at: dict[str, Any]) -> Docume
     step = decide_step(at).certificate
     if step is None:
         raise ValueError("alpha: the step is not decided; one above the limit is needed")
-    kept = [item for item in step["witness"] if item["kind"] == "matrix"]
+    # the identity, the step, P and Q; that Xi is a covariance follows from its form
+    kept = [item for item in step["witness"] if item["kind"] == "matrix"][:4]
     inputs = {**step["inputs"], **lines}
     return certificate("cyclic_spsa", name, inputs, kept, "REFUTED")
 
