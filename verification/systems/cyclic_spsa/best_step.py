@@ -31,6 +31,8 @@ STILL = "without drift the error is the smaller, the smaller the step is: no ste
 ONLY = "the only minimum: the derivative changes its sign once"
 THERE = "the error is that at the step's value"
 UNREACHED = "the sign of the derivative could not be told on both sides of {}"
+HALVINGS = 100
+Sides = tuple[Fraction, Fraction]
 WIDTHS = tuple(Fraction(4**k, 2**52) for k in range(8))
 """Relative half-widths that are tried for the bounds on the step."""
 
@@ -59,15 +61,29 @@ def best_step(values: Mapping[str, Any]) -> Answer:
     settling = Settling(block_of(values), law_of(values))
     if not any(settling.move):
         return Answer(value=[0.0, 0.0], verdict="PROVED", notes=(STILL,))
+    guess, sides = _found(settling)
+    if sides is None:
+        reason = UNREACHED.format(nearest(guess))
+        return Answer(value=None, verdict="UNDECIDED", notes=(reason,))
     with flint.ctx.workprec(BITS):
-        guess = _root(settling)
-        sides = _sides(settling, guess)
-        if sides is None:
-            reason = UNREACHED.format(nearest(guess))
-            return Answer(value=None, verdict="UNDECIDED", notes=(reason,))
         error = flint.arb(mean_square(settling, moments_of(settling.block, guess, exact=False)))
         root = error.sqrt() if error > 0 else error.abs_upper().sqrt().union(flint.arb(0))
         return listed([enclosure(*sides), enclosure(*ends(root))], (ONLY, THERE))
+
+
+def _found(settling: Settling) -> tuple[Fraction, Sides | None]:
+    """About the step at which the derivative vanishes, and steps on both sides of it."""
+    import flint
+
+    guess, sides = Fraction(0), None
+    for bits in (BITS // 2, BITS):
+        with flint.ctx.workprec(bits):
+            guess = _root(settling)
+        with flint.ctx.workprec(BITS):
+            sides = _sides(settling, guess)
+        if sides is not None:
+            break
+    return guess, sides
 
 
 def _root(settling: Settling) -> Fraction:
@@ -77,15 +93,18 @@ def _root(settling: Settling) -> Fraction:
     unit = _unit(settling)
 
     def value(x: float) -> float:
-        return _sign_and_size(settling, unit * Fraction(x))
+        found = _scaled(settling, unit * Fraction(x))
+        return math.inf if found is None else float(found.mid())
 
     low, high = 0.5, 1.0
     while value(low) > 0:
         low, high = low / 16, low
-    while math.isinf(value(high)) or high > 2 * low:
+    for _ in range(HALVINGS):
+        if high <= 2 * low and not math.isinf(value(high)):
+            return unit * Fraction(brentq(value, low, high, xtol=1e-16 * low, rtol=1e-15))
         middle = math.sqrt(low * high)
         low, high = (middle, high) if value(middle) < 0 else (low, middle)
-    return unit * Fraction(brentq(value, low, high, xtol=1e-16 * low, rtol=1e-15))
+    return unit * Fraction(low)
 
 
 def _unit(settling: Settling) -> Fraction:
@@ -99,27 +118,22 @@ def _unit(settling: Settling) -> Fraction:
     return Fraction(2) ** (2 + (mean.denominator.bit_length() - mean.numerator.bit_length()) + 1)
 
 
-def _sign_and_size(settling: Settling, alpha: Fraction) -> float:
-    """The derivative of the mean square times alpha^3/A, which starts at -2; inf if unstable."""
-    moments = moments_of(settling.block, alpha, exact=False)
-    if not is_stable(moments):
-        return math.inf
-    return float(_scaled(settling, alpha).mid())
-
-
-def _scaled(settling: Settling, alpha: Fraction) -> Any:
+def _scaled(settling: Settling, alpha: Fraction) -> Any | None:
+    """The derivative of the mean square times alpha^3/A, which starts at -2; None if unstable."""
     import flint
 
+    moments = moments_of(settling.block, alpha, exact=False)
+    if not is_stable(moments):
+        return None
     scale = alpha**3 / dot(settling.lag, settling.lag)
-    return flint.arb(slope(settling, moments_of(settling.block, alpha, exact=False))) * ball(scale)
+    return flint.arb(slope(settling, moments)) * ball(scale)
 
 
-def _sides(settling: Settling, guess: Fraction) -> tuple[Fraction, Fraction] | None:
+def _sides(settling: Settling, guess: Fraction) -> Sides | None:
     """Steps close to each other at which the derivative has either sign, for certain."""
     for width in WIDTHS:
         low, high = guess * (1 - width), guess * (1 + width)
-        if not is_stable(moments_of(settling.block, high, exact=False)):
-            continue
-        if _scaled(settling, low) < 0 and _scaled(settling, high) > 0:
+        before, after = (_scaled(settling, alpha) for alpha in (low, high))
+        if before is not None and after is not None and before < 0 and after > 0:
             return low, high
     return None

@@ -22,7 +22,8 @@ from verification.input_kinds import positive
 
 from .block_inputs import ALPHA, BLOCK, Block, block_of
 from .moments import FLINT, evaluated, exact_operators, fmpq
-from .second_moments import BITS, Moments, TooClose, moments_of
+from .second_moments import BITS, Moments, moments_of
+from .solutions import TooClose
 
 LAWS: Mapping[str, SymmetricLaw] = {"gaussian": gaussian(1), "two_point": two_point(1)}
 """Law of the entries of e, the noise being xi = Xi^(1/2) e."""
@@ -146,13 +147,16 @@ def stationary_mean(values: Mapping[str, Any]) -> Answer:
     InputError
         An input of the block or alpha is out of range.
     """
+    import flint
+
     block, alpha = block_of(values), positive(values, "alpha")
     if not mean_settles(block, alpha):
         return Answer(value=["inf"] * block.size, verdict="PROVED", notes=(MEAN_GROWS,))
     found = Settling(block).mean(alpha)
     notes = (f"exact: {', '.join(map(text, found))}",) if _short(found) else ()
-    if is_stable(moments_of(block, alpha)) is False:
-        notes = (*notes, SPREADS)
+    with flint.ctx.workprec(BITS):
+        if is_stable(moments_of(block, alpha)) is False:
+            notes = (*notes, SPREADS)
     return listed([enclosure(x, x) for x in found], notes)
 
 
@@ -257,11 +261,8 @@ def law_of(values: Mapping[str, Any]) -> str:
 
 def is_stable(moments: Moments) -> bool | None:
     """Whether second moments tend to their limit; None where floating point does not tell."""
-    import flint
-
     try:
-        with flint.ctx.workprec(BITS):
-            return moments.stable
+        return moments.stable
     except TooClose:
         return None
 

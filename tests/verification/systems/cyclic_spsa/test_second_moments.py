@@ -7,14 +7,11 @@ import numpy as np
 import pytest
 
 from verification.systems.cyclic_spsa.block_inputs import Block
+from verification.systems.cyclic_spsa.direct_moments import DirectMoments
+from verification.systems.cyclic_spsa.enclosed_moments import BallMoments
 from verification.systems.cyclic_spsa.moments import fmpq
-from verification.systems.cyclic_spsa.second_moments import (
-    BITS,
-    BallMoments,
-    DirectMoments,
-    TooClose,
-    moments_of,
-)
+from verification.systems.cyclic_spsa.second_moments import BITS, moments_of
+from verification.systems.cyclic_spsa.solutions import TooClose
 from verification.systems.cyclic_spsa.stationary import Settling, mean_square, slope
 
 
@@ -89,6 +86,25 @@ def test_both_ways_agree_on_what_is_stable(d):
         with flint.ctx.workprec(BITS):
             assert balls.stable == exact
         low, high = (alpha, high) if exact else (low, alpha)
+
+
+def test_krylov_takes_over_where_the_multiplication_is_by_zero():
+    # alpha times the largest eigenvalue is 1: h + h - 2 alpha h h vanishes for it
+    line = (Fraction(3, 5), Fraction(4, 5), Fraction(0))
+    hessian = tuple(
+        tuple(Fraction(9, 10) * x * y + Fraction(i == j, 10) for j, y in enumerate(line))
+        for i, x in enumerate(line)
+    )
+    nothing = ((Fraction(0),) * 3,) * 3
+    of = Block(hessian, "H", nothing, (Fraction(1, 7),) * 3, Fraction(9), 2, 1)
+    settling = Settling(of)
+    with flint.ctx.workprec(BITS):
+        exact, balls = (kind(of, Fraction(1)) for kind in (DirectMoments, BallMoments))
+        assert exact.stable
+        assert balls.stable
+        found = flint.arb(mean_square(settling, balls))
+        assert found.overlaps(flint.arb(mean_square(settling, exact)))
+        assert found.rad() < 1e-20 * abs(found.mid())
 
 
 def test_balls_leave_open_what_is_at_the_limit():
