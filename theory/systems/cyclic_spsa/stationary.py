@@ -8,15 +8,15 @@ the covariance C = E (a - abar)(a - abar)' at that of
 
 L(P) = E MPM': nothing mixes with m in the mean, because every law of the noise that is symmetric
 makes its odd moments zero. If chi is independent of M, as for Gaussian noise or with one instant,
-E m m' = E (1 - M) Z (1 - M)' with Z = E chi chi'; otherwise the fourth moments of the noise add a
-multiple of the identity, `EXCESS`.
+E m m' = E (1 - M) Z (1 - M)' with Z = E chi chi'; otherwise the fourth moments of the noise add g
+times the identity, see `excess`.
 
 With K(Q) = tr(Q) I + tr(QN) I + 2Q - 2 diag(Q) and Habar = -c/alpha, and divided by alpha,
 
-    HC + CH - alpha K(HCH) = R0/alpha + alpha R2,   R0 = K(cc') - cc',   R2 = K(HZH) + excess I.
+    HC + CH - alpha K(HCH) = R0/alpha + alpha R2,   R0 = K(cc') - cc',   R2 = K(HZH) + g I.
 
-The left side is a positive operator's inverse: its solution for R >= 0 is the sum over j >= 0 of
-alpha^j (pull^-1 kick)^j pull^-1 R, every term >= 0, with pull(P) = HP + PH and kick(P) = K(HPH).
+For a stable step and R >= 0 on the right the solution is the sum over j >= 0 of alpha^j (pull^-1
+kick)^j pull^-1 R, every term >= 0, with pull(P) = HP + PH and kick(P) = K(HPH).
 """
 
 from __future__ import annotations
@@ -24,11 +24,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 from ...algebra.moments.laws import SymmetricLaw
-from ...algebra.noncommuting import Form, letters, scalars
+from ...algebra.noncommuting import Form, letters
 from .error import RANDOM, SYMMETRIC, error_step, read, second_moment
 
 P, Q, H = letters("P Q H", SYMMETRIC)
-(ALPHA,) = scalars("alpha")
 
 
 def mean_step(instants: int = 2) -> Form:
@@ -68,13 +67,15 @@ def kick_of_mean() -> Form:
 
 
 def excess(law: SymmetricLaw) -> Fraction:
-    """What multiplies sum of B_ii^2 in `EXCESS`, for xi = B-root e with entries of e of this law.
+    """g beta^2 over the sum of the B_ii^2, where the entries of e are of this law.
 
     nu'H chi has the random part (xi'H xi - xi_before'H xi_before)/(4 beta), whose variance is
-    Var(xi'H xi)/(8 beta^2); and xi'H xi = e'Be with B = Xi^(1/2) H Xi^(1/2) has the variance 2 tr
-    B^2 + (E e^4 - 3) sum of B_ii^2, the Gaussian law being the one without the second term.
+    Var(xi'H xi)/(8 beta^2). With xi = Xi^(1/2) e and B = Xi^(1/2) H Xi^(1/2), xi'H xi = e'Be has
+    the variance 2 tr B^2 + (E e^4 - 3) sum of B_ii^2; the Gaussian law has no second term.
+
+    Parameters
+    ----------
+    law : SymmetricLaw
+        Of variance 1.
     """
     return law.excess / 8
-
-
-EXCESS = "excess/beta**2*(sum of B_ii^2)"
