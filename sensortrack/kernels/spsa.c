@@ -14,9 +14,10 @@
  * NumPy give the same bits (sensortrack/kernels/spsa.py).
  *
  * Words of run r at update u are those of Philox4x64 with ten rounds at the counters
- * (r B + b, u, 0, 0), b < B, and the given key: first ceil(D/64) words of signs, bit by bit from the
- * lowest, 1 for +1; then those of the noise, one a number of the Gaussian law, one for 64 of the
- * two-point law, first instant first.
+ * (r B + b, u, 0, 0), b < B, and the given key. Gaussian noise takes the upper 52 bits of a word for a
+ * number, first instant first, and the sign of Delta_i is the lowest bit of word i, 1 for +1. For
+ * two-point noise the signs of Delta are the bits of the first ceil(D/64) words, from the lowest on,
+ * and those of the noise the bits of the words after them.
  */
 #include <math.h>
 #include <stdint.h>
@@ -24,7 +25,6 @@
 
 #define LANES 32
 #define MOST 256
-#define GROUP 4
 #define ROUNDS 10
 
 static uint64_t high(uint64_t a, uint64_t b)
@@ -39,38 +39,28 @@ static uint64_t high(uint64_t a, uint64_t b)
 #endif
 }
 
-/* J. Salmon et al., Parallel Random Numbers: As Easy as 1, 2, 3 (2011). GROUP counters side by side,
- * whose first words are `step` apart, keep the multipliers of the processor busy: three times as fast
- * as one after the other. Word i of counter g goes to out[i * LANES + g]. */
-static void philox(const uint64_t counter[4], uint64_t step, const uint64_t key[2], uint64_t *out)
+/* J. Salmon et al., Parallel Random Numbers: As Easy as 1, 2, 3 (2011). Its twenty products of 128
+ * bits are what it takes: blocks side by side are not quicker. */
+static void philox(const uint64_t counter[4], const uint64_t key[2], uint64_t out[4])
 {
-    uint64_t a[GROUP], b[GROUP], c[GROUP], d[GROUP], left = key[0], right = key[1];
-    int round, g;
-    for (g = 0; g < GROUP; g++) {
-        a[g] = counter[0] + step * (uint64_t)g;
-        b[g] = counter[1];
-        c[g] = counter[2];
-        d[g] = counter[3];
-    }
+    uint64_t a = counter[0], b = counter[1], c = counter[2], d = counter[3];
+    uint64_t left = key[0], right = key[1];
+    int round;
     for (round = 0; round < ROUNDS; round++) {
-        for (g = 0; g < GROUP; g++) {
-            const uint64_t m = 0xD2E7470EE14C6C93u, n = 0xCA5A826395121157u;
-            const uint64_t one = m * a[g], other = n * c[g];
-            const uint64_t next = high(n, c[g]) ^ b[g] ^ left, far = high(m, a[g]) ^ d[g] ^ right;
-            a[g] = next;
-            b[g] = other;
-            c[g] = far;
-            d[g] = one;
-        }
+        const uint64_t m = 0xD2E7470EE14C6C93u, n = 0xCA5A826395121157u;
+        const uint64_t one = m * a, other = n * c;
+        const uint64_t next = high(n, c) ^ b ^ left, far = high(m, a) ^ d ^ right;
+        a = next;
+        b = other;
+        c = far;
+        d = one;
         left += 0x9E3779B97F4A7C15u;
         right += 0xBB67AE8584CAA73Bu;
     }
-    for (g = 0; g < GROUP; g++) {
-        out[g] = a[g];
-        out[LANES + g] = b[g];
-        out[2 * LANES + g] = c[g];
-        out[3 * LANES + g] = d[g];
-    }
+    out[0] = a;
+    out[1] = b;
+    out[2] = c;
+    out[3] = d;
 }
 
 /* A middle of one of 2^52 equal parts of the unit interval, less a half: never 0. */
@@ -85,13 +75,15 @@ static double centred(uint64_t word)
 /* Logarithm of a number between 2^-53 and 1 by plain arithmetic, the same in every library. */
 static double plain_log(double x)
 {
-    uint64_t bits;
+    uint64_t bits, scale;
     double m, power, s, z, sum = 1.0 / 21.0;
     int term;
     memcpy(&bits, &x, sizeof bits);
-    power = (double)((int64_t)(bits >> 52) - 1022);
+    scale = (bits >> 52) | 0x4330000000000000u; /* 2^52 and the exponent */
     bits = (bits & 0xFFFFFFFFFFFFFu) | 0x3FE0000000000000u;
+    memcpy(&power, &scale, sizeof power);
     memcpy(&m, &bits, sizeof m);
+    power = power - (0x1p52 + 1022.0);
     power = m < 0.70710678118654752 ? power - 1.0 : power;
     m = m < 0.70710678118654752 ? m * 2.0 : m;
     s = (m - 1.0) / (m + 1.0);
@@ -133,10 +125,12 @@ static void normals(const double *table, const uint64_t *words, int count, doubl
         x[tails] = q[i];
         tails += (q[i] > 0.425) | (q[i] < -0.425);
     }
-    for (i = 0; i < tails; i++) {
-        r[i] = sqrt(-plain_log(0.5 - fabs(x[i])));
+    for (i = 0; i < tails; i++)
+        r[i] = -plain_log(0.5 - fabs(x[i]));
+    for (i = 0; i < tails; i++)
+        r[i] = sqrt(r[i]); /* alone: it may set errno, so no compiler makes vectors of it */
+    for (i = 0; i < tails; i++)
         x[i] = ratio(table + 16, r[i] - 1.6);
-    }
     for (i = 0; i < tails; i++) {
         const double far = r[i] <= 5.0 ? x[i] : ratio(table + 32, r[i] - 5.0);
         out[place[i]] = q[place[i]] < 0 ? -far : far;
@@ -150,15 +144,9 @@ static void many_normals(const double *table, const uint64_t *words, int64_t cou
         normals(table, words + i, count - i < MOST ? (int)(count - i) : MOST, out + i);
 }
 
-/* Four words of GROUP counters in a row, for tests. */
 void sensortrack_spsa_words(const uint64_t *counter, const uint64_t *key, uint64_t *out)
 {
-    uint64_t wide[4 * LANES];
-    int g, i;
-    philox(counter, 1, key, wide);
-    for (g = 0; g < GROUP; g++)
-        for (i = 0; i < 4; i++)
-            out[4 * g + i] = wide[i * LANES + g];
+    philox(counter, key, out);
 }
 
 void sensortrack_spsa_normals(const double *table, const uint64_t *words, int64_t count,
@@ -239,8 +227,9 @@ void sensortrack_spsa_run(const int64_t *whole, const double *hessian, const dou
 {
     const int64_t size = whole[0], gaussian = whole[3], instants = whole[4];
     const double lag = 2.0 * (double)whole[5];
-    const int64_t runs = whole[7], signs = (size + 63) / 64, numbers = instants * size;
-    const int64_t total = signs + (gaussian ? numbers : (numbers + 63) / 64);
+    const int64_t runs = whole[7], numbers = instants * size;
+    const int64_t signs = gaussian ? 0 : (size + 63) / 64;
+    const int64_t total = gaussian ? numbers : signs + (numbers + 63) / 64;
     const int64_t blocks = (total + 3) / 4;
     double *e = work, *delta = e + size * LANES, *free = delta + size * LANES;
     double *xi = free + size * LANES, *d = xi + size * LANES;
@@ -255,12 +244,13 @@ void sensortrack_spsa_run(const int64_t *whole, const double *hessian, const dou
             double before[LANES], after[LANES], square[LANES];
             const uint64_t *rest = words + signs * LANES;
             for (b = 0; b < blocks; b++)
-                for (lane = 0; lane < LANES; lane += GROUP) {
-                    const uint64_t number = (uint64_t)(whole[6] + run + lane);
-                    uint64_t counter[4] = {0, 0, 0, 0};
-                    counter[0] = number * (uint64_t)blocks + (uint64_t)b;
+                for (lane = 0; lane < LANES; lane++) {
+                    uint64_t counter[4] = {0, 0, 0, 0}, out[4];
+                    counter[0] = (uint64_t)(whole[6] + run + lane) * (uint64_t)blocks + (uint64_t)b;
                     counter[1] = (uint64_t)update;
-                    philox(counter, (uint64_t)blocks, key, words + 4 * b * LANES + lane);
+                    philox(counter, key, out);
+                    for (i = 0; i < 4; i++)
+                        words[(4 * b + i) * LANES + lane] = out[i];
                 }
             noise(size, whole[2], root, gaussian, table, rest, 0, free, xi);
             for (i = 0; i < size; i++) {
@@ -268,7 +258,7 @@ void sensortrack_spsa_run(const int64_t *whole, const double *hessian, const dou
                 double *in = d + i * LANES, *sign = delta + i * LANES;
                 const double *from = e + i * LANES, *by = xi + i * LANES;
                 for (lane = 0; lane < LANES; lane++)
-                    sign[lane] = sign_of(words, i, lane);
+                    sign[lane] = sign_of(words, gaussian ? 64 * i : i, lane);
                 for (lane = 0; lane < LANES; lane++)
                     in[lane] = ((from[lane] + drift) - beta * sign[lane]) - by[lane];
             }

@@ -52,10 +52,12 @@ class Recursion:
 
     @property
     def layout(self) -> tuple[int, int]:
-        """Words of signs of an update, and all its words in whole counters."""
-        signs, numbers = -(-self.size // 64), self.instants * self.size
-        total = signs + (numbers if self.gaussian else -(-numbers // 64))
-        return signs, 4 * -(-total // 4)
+        """Words of an update that come before the noise, and all of them in whole counters."""
+        numbers = self.instants * self.size
+        if self.gaussian:  # which leaves the lowest bits of a word to the signs of Delta
+            return 0, 4 * -(-numbers // 4)
+        signs = -(-self.size // 64)
+        return signs, 4 * -(-(signs + -(-numbers // 64)) // 4)
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,7 +139,8 @@ def _in_numpy(
     for update in range(len(tally.trajectory)):
         counter = (first_run * (width // 4), update, 0, 0)
         drawn = words(counter, key, runs * width).reshape(runs, width)
-        delta, rest = _signs(drawn, 0, size), drawn[:, signs:]
+        delta = _signs(drawn, 0, size, 64 if recursion.gaussian else 1)
+        rest = drawn[:, signs:]
         xi = _noise(recursion, rest, 0)
         before = _cost(recursion.hessian, ((e + drift) - beta * delta) - xi)
         if recursion.instants == 2:
@@ -155,9 +158,9 @@ def _in_numpy(
     tally.errors[:] = e.T
 
 
-def _signs(drawn: NDArray[np.uint64], first: int, count: int) -> Floats:
-    """Bits from a place on as signs, count by runs."""
-    index = np.arange(first, first + count)
+def _signs(drawn: NDArray[np.uint64], first: int, count: int, apart: int = 1) -> Floats:
+    """Bits from a place on, some places apart, as signs: count by runs."""
+    index = apart * np.arange(first, first + count)
     bits = drawn[:, index // 64] >> (index % 64).astype(np.uint64) & np.uint64(1)
     return np.where(bits.T == 1, 1.0, -1.0)
 
