@@ -278,6 +278,25 @@ def _place(
     return place[ends]
 
 
+def _blocks(name: str, given: object) -> tuple[tuple[int, ...], ...]:
+    """Lists of places, counted from 0."""
+    needed = "lists of whole numbers are needed, as in [[0, 1], [2, 3]]"
+    if not isinstance(given, list) or not given:
+        raise InputError(name, shown(given), needed)
+    for k, entry in enumerate(given, start=1):
+        if not isinstance(entry, list) or not entry:
+            raise InputError(name, f"list {k} is {shown(entry)}", needed)
+    return tuple(tuple(_place_of(name, k, x) for x in entry) for k, entry in enumerate(given, 1))
+
+
+def _place_of(name: str, k: int, given: object) -> int:
+    """One place of list k."""
+    found = _entry(name, f"a number of list {k}", given)
+    if found.denominator != 1 or found < 0:
+        raise InputError(name, f"list {k} has {found}", "whole numbers from 0 on are needed")
+    return int(found)
+
+
 def _word(name: str, given: object) -> str:
     if not isinstance(given, str):
         raise InputError(name, shown(given), "a word is needed")
@@ -297,6 +316,7 @@ KINDS: Mapping[str, Kind] = {
     "word": Kind("a word", _word, _as_read),
     "point": Kind("a list of two numbers", _point, _as_read),
     "points": Kind("a list of lists of two numbers", _points, _as_read),
+    "blocks": Kind("a list of lists of whole numbers", _blocks, _as_read),
     "links": Kind("lists of links [a, b]", _links, _links_of_graph),
     "node numbers": Kind("a number, a list or {node: number}", _node_numbers, _by_node),
 }

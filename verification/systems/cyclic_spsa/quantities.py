@@ -8,6 +8,7 @@ from . import own_questions
 from .best_step import best_step
 from .block_inputs import ALPHA, BLOCK
 from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
+from .cycles import CYCLE, blocks_step_limit
 from .measurement_moments import MEASUREMENT, measurement_moments
 from .radius import spectral_radius
 from .stability import decide_step, step_limit
@@ -15,6 +16,13 @@ from .stationary import BEST, MEAN, MEAN_SQUARE, stationary_mean, stationary_mse
 
 QUANTITIES: tuple[Quantity, ...] = (
     Quantity("step_limit", "supremum of alpha with mean-square stability", BLOCK, step_limit, True),
+    Quantity(
+        "blocks_step_limit",
+        "the same for a cycle of blocks of whole targets",
+        CYCLE,
+        blocks_step_limit,
+        True,
+    ),
     Quantity(
         "spectral_radius",
         "of the second-moment operator of one update",

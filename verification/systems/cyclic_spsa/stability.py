@@ -51,15 +51,6 @@ def step_limit(values: Mapping[str, Any]) -> Answer:
     limit = limit_of(block)
     if limit is None:
         return Answer(verdict="UNDECIDED", notes=(WIDE,))
-    document = certificate(
-        "cyclic_spsa",
-        "step_limit",
-        block.inputs(),
-        limit.witness(block),
-        case=limit.case,
-        lower=limit.lower,
-        upper=limit.upper,
-    )
     narrow = limit.exact is not None or limit.upper - limit.lower <= USABLE * limit.lower
     return Answer(
         value=limit.value if narrow else None,
@@ -67,8 +58,21 @@ def step_limit(values: Mapping[str, Any]) -> Answer:
         lower=below(limit.lower),
         upper=above(limit.upper),
         verdict="PROVED",
-        certificate=document,
+        certificate=limit_certificate(block, limit),
         **_readings(block, limit),
+    )
+
+
+def limit_certificate(block: Block, limit: Limit) -> dict[str, Any]:
+    """The two-sided certificate of a limit."""
+    return certificate(
+        "cyclic_spsa",
+        "step_limit",
+        block.inputs(),
+        limit.witness(block),
+        case=limit.case,
+        lower=limit.lower,
+        upper=limit.upper,
     )
 
 
