@@ -286,11 +286,12 @@ def above_the_fixed_point() -> tuple[Identity, ...]:
     return above, below, drift
 
 
-def root() -> Identity:
+def root() -> tuple[Identity, Identity]:
     """(v) The bound of `bounds.PROVED` is that fixed point.
 
     With m (rho + lag) = b + lag/alpha + W and W^2 = b^2 + m l + 2 b lag/alpha + (lag/alpha)^2
-    (1 - alpha m), rho^2 is (1 - alpha m)(rho + lag)^2 + 2 alpha b (rho + lag) + alpha l.
+    (1 - alpha m), rho^2 is (1 - alpha m)(rho + lag)^2 + 2 alpha b (rho + lag) + alpha l, and the
+    slope of (iv) is alpha W.
     """
     rho, lag, m, b, low, w = scalars("rho lag m b l root_q")
     pace = rate * lag
@@ -302,4 +303,6 @@ def root() -> Identity:
     )
     kept = (ONE - alpha * m) * reach * reach + 2 * alpha * b * reach + alpha * low
     words = {0: "m rho", 1: "root_q**2", 2: "alpha rate"}
-    return derive("root", m * (rho * rho - kept), relations, words)
+    fixed = derive("root", m * (rho * rho - kept), relations, words)
+    slope = alpha * m * reach - lag - alpha * b
+    return fixed, derive("slope", slope - alpha * w, relations, {0: "m rho", 2: "alpha rate"})

@@ -80,15 +80,19 @@ def limit(bound: Bound, given: dict[str, Fraction]) -> Fraction:
     return Fraction(values[bound.limit[-1].name])
 
 
-def steps_over_perturbations(chosen: Case, end: float = 1.0) -> Plot:
+def steps_over_perturbations(
+    chosen: Case, end: float = 1.0, marked: str = "the counterexample is"
+) -> Plot:
     """Steps for which the mean-square error stays bounded, over the size of the perturbation.
 
     Parameters
     ----------
     chosen : Case
-        Its step and its size of the perturbation are marked as the counterexample.
+        Its step and its size of the perturbation are marked.
     end : float, optional
         Logarithm of the largest size.
+    marked : str, optional
+        What the marked point is, with its verb.
     """
     sizes = np.geomspace(float(chosen.beta) / 10, 10.0**end, 40)
     cases = [
@@ -101,15 +105,16 @@ def steps_over_perturbations(chosen: Case, end: float = 1.0) -> Plot:
     x: Floats = tuple(sizes.tolist())
     low, top = min(proved) / 2, 3 * max(*exact, *printed)
     wrong = tuple(max(a, b) for a, b in zip(exact, printed, strict=True))
+    coordinates = "One coordinate" if chosen.d == 1 else f"{chosen.d} coordinates"
     here = float(chosen.beta), float(chosen.alpha)
     return Plot(
         title="Steps for which the mean-square error stays bounded",
         finding="The printed limit does not fall with the perturbation; the exact one falls as its "
         "square.",
-        caption=f"{chosen.d} coordinates, Hessian 1, noise {float(chosen.sigma):g} and drift "
+        caption=f"{coordinates}, Hessian 1, noise {float(chosen.sigma):g} and drift "
         f"{float(chosen.delta):g} in each sample, two instants: below the exact limit the error "
-        "stays bounded, between it and the printed one (hatched) the claim is false; the steps of "
-        "the repaired theorem are shaded, the counterexample is marked.",
+        "stays bounded; between it and the limit of Theorem 1 as printed (hatched) that theorem is "
+        f"false; the steps of the repaired theorem are shaded; {marked} marked.",
         x=Axis("size of the perturbation beta", "", x[0], x[-1], log=True, ticks=(here[0],)),
         y=Axis("step alpha", "", low, top, log=True, ticks=(here[1],)),
         curves=(

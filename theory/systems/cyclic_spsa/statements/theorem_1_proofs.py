@@ -159,9 +159,10 @@ def _root() -> Universal:
     words = (
         "step (v): that rho is [b + lag/alpha + root_q]/m - lag, root_q^2 = b^2 + m l + 2 b "
         "lag/alpha + (lag/alpha)^2 (1 - alpha m): with it m times the difference of the two sides "
-        "of (iv) is zero; rate = 1/alpha"
+        "of (iv) is zero, and the slope of (iv), alpha m (rho + lag) - lag - alpha b, is alpha "
+        "root_q, which is not negative; rate = 1/alpha"
     )
-    return Universal("theorem_1_root", words, (descent.root(),), SYMBOLS)
+    return Universal("theorem_1_root", words, descent.root(), SYMBOLS)
 
 
 def _static() -> Universal:

@@ -78,7 +78,9 @@ def stable_two_instants() -> Decision:
         margin_text=f"{0.05 / limit:.4g} times too large",
         certificates={"cyclic_spsa.section_5_stable_two_instants": document},
         figure=steps_over_perturbations(
-            Case(12, ALPHA, BETA, Fraction(53, 10), Fraction(0)), end=2.0
+            Case(12, ALPHA, BETA, Fraction(53, 10), Fraction(0)),
+            end=2.0,
+            marked="the printed parameters are",
         ),
     )
 

@@ -88,13 +88,15 @@ def interval_one_instant() -> Decision:
     made = proofs(
         "theorem_1_mean_step_at_once",
         "theorem_1_mean_square",
+        "theorem_1_recursion",
         "theorem_1_fixed_point",
         "theorem_1_second_branch_repair",
     )
     return Decision(
         verdict=Verdict.PROVED,
         reason="With one instant the two costs differ by the perturbation and the additive noise "
-        "alone. The mean square after a step is at most (1 - alpha m)q^2 + 2 alpha b q + alpha l "
+        "alone: the mean step is bounded by less than with two, and c3 and c4 need not be there. "
+        "The mean square after a step is then at most (1 - alpha m)q^2 + 2 alpha b q + alpha l "
         "with m = 2(mu - 3 alpha d^2 M^2) > 0, q the root of that before it plus the drift of a "
         "cycle, and this has a fixed point that attracts from above.",
         printed="mu/gamma, gamma = 3d(M^2 d + c3/beta)",

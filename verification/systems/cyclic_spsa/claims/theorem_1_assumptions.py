@@ -122,9 +122,7 @@ def units_gamma() -> Decision:
         f"give {limits[1]:.5g} km^2, replayed in rationals.",
         printed="c3/beta",
         sharp="c3/(8 beta^2)",
-        printed_value=limits[0],
-        sharp_value=limits[1],
-        margin_text=f"the limit changes {limits[1] / limits[0]:.3g} times with the unit",
+        margin_text=f"the limit becomes {limits[1] / limits[0]:.3g} times itself with the unit",
         repair="With c3/(8 beta^2), as the proof gives it, m, b and l follow the unit of length.",
         repair_formula=r"\gamma=3d\Bigl(M^2d+\frac{c_3}{8\beta^2}\Bigr)",
         certificates=made | proofs("theorem_1_units_repair"),
@@ -157,11 +155,9 @@ def units_l() -> Decision:
         f"{clashing('change', 'spread', 'lag')}. For f_t(x) = (x - t)^2/2 with alpha = 1/20, beta "
         f"= 1 km and a drift of 1 km, (21) promises {values[0]:.6g} km, and for the same "
         f"constants in metres {values[1]:.6g} km, replayed in rationals.",
-        printed=f"{values[0]:.6g} km in the example",
-        sharp=f"{values[1]:.6g} km in metres",
-        printed_value=values[0],
-        sharp_value=values[1],
-        margin_text=f"the bound changes {values[1] / values[0]:.3g} times with the unit",
+        printed=f"{values[0]:.4g} km, or {values[1]:.4g} km in metres",
+        sharp="one length in every unit",
+        margin_text=f"the bound becomes {values[1] / values[0]:.3g} times itself with the unit",
         repair="With c4 and c_v^2 over 4 beta^2, and the drift terms as the proof gives them, the "
         "bound is one length in every unit.",
         repair_formula=r"l=M\delta^2+3\alpha d\Bigl(2dc_2+2d^2M^2\beta^2+"

@@ -22,15 +22,19 @@ PROOF = (
 )
 """Steps (i) to (v) of the repaired proof, and that 1 - alpha m is positive."""
 REPAIR = (
-    "With Assumption 5 for every x and the squared distance, gamma = 3d(M^2 d + c3/(8 beta^2)) and "
-    "0 < alpha < mu/gamma, the root of the mean square of the error of a block tends to at most "
-    "[b + 2k delta/alpha + (b^2 + m l + 4k delta b/alpha + (2k delta/alpha)^2 (1 - alpha m))^(1/2)]"
-    "/m - 2k delta, with b and l as repaired; all steps of the proof are checked."
+    "With Assumption 5 for every x and the squared distance, gamma = 3d(M^2 d + c3/(8 beta^2)), m "
+    "= 2(mu - alpha gamma) as printed, b and l as below, and 0 < alpha < mu/gamma, the root of the "
+    "mean square of the error of a block of d coordinates is in the long run at most the first "
+    "formula below; k blocks together have k^(1/2) times it. Every step of the proof is checked, "
+    "down to what it relies on."
 )
 REPAIR_FORMULA = (
     r"\frac{b+\frac{2k\delta}\alpha+\sqrt{b^2+ml+\frac{4k\delta b}\alpha+"
     r"\bigl(\frac{2k\delta}\alpha\bigr)^2(1-\alpha m)}}{m}-2k\delta,\quad"
-    r"\gamma=3d\Bigl(M^2d+\frac{c_3}{8\beta^2}\Bigr)"
+    r"b=\frac{(2\mu+M)\delta+M\beta d^{3/2}}2+6\alpha d^{5/2}M^2\beta+"
+    r"\frac{3\alpha dc_3\delta}{4\beta^2},\quad"
+    r"l=M\delta^2+3\alpha d\Bigl(2dc_2+2d^2M^2\beta^2+"
+    r"\frac{c_3(\delta^2+d\beta^2)+c_4+c_v^2}{4\beta^2}\Bigr)"
 )
 
 
