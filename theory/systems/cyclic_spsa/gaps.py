@@ -59,4 +59,22 @@ GAPS: tuple[Gap, ...] = (
         "which: steps 3.3 and 3.6 get two, step 3.4 uses the second one for both; the limit of the "
         "step differs, and claims that depend on it are decided for both",
     ),
+    Gap(
+        "Erofeeva & Granichin, Theorems 1 and 2, first lines",
+        "the step is sufficiently small, besides being in the interval",
+        "how small: claims about the theorems take every step in the interval, and the "
+        "counterexamples to (21) with drift hold for all small steps",
+    ),
+    Gap(
+        "Erofeeva & Granichin, Theorem 2, the drift",
+        "a target moves by at most sigma_t^i in a sample",
+        "another letter: sigma is the scale of the noise, and the appendix bounds the drift by "
+        "delta^i, which the claims about Theorem 2 take",
+    ),
+    Gap(
+        "Erofeeva & Granichin, section 5, Figures 1 and 2",
+        "the error over time for m_max = 3 and for m_max = 1",
+        "the sampling period, the headings, the places of the sensors, K, the blocks, the error "
+        "that is plotted and the unit of beta: other choices give other curves",
+    ),
 )

@@ -14,6 +14,7 @@ from tests.verification.systems.cyclic_spsa.decided import decided
 from tests.verification.systems.cyclic_spsa.literal import outcomes, updated
 from theory.algebra.rewriting import derive
 from theory.systems.cyclic_spsa import descent
+from theory.systems.cyclic_spsa.bound_letters import M, delta
 from theory.systems.cyclic_spsa.bounds import PRINTED, PROVED, table
 from verification.adversary.spsa_violations import Point, ratios, search
 from verification.certificates import check
@@ -245,7 +246,7 @@ def test_a_planted_false_theorem_is_not_proved():
 def test_half_of_the_drift_term_is_not_enough(factor):
     """-2 e'EG <= ... with less than M delta^2 at its end has no proof by the same squares."""
     proved = descent.mean_step()
-    less = proved.goal - descent.M * descent.delta * descent.delta * (1 - Fraction(factor, 2))
+    less = proved.goal - M * delta * delta * (1 - Fraction(factor, 2))
     words = ("e' e", "w' w", "p' p", "length e' late", "length e' early", "early", "Q' Q")
     arguments = (less, proved.relations, dict(enumerate(words)), proved.squares)
     if factor == 2:

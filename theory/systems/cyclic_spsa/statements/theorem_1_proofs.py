@@ -8,21 +8,23 @@ from ....algebra.identities import ONE
 from ....algebra.noncommuting import letters, scalars
 from ....algebra.rewriting import derive
 from .. import descent
-from ..bounds import PRINTED, PROVED
-from ..descent import (
+from ..bound_letters import (
     HALF,
     LETTERS,
     ROOT,
     ROOT_WORD,
-    SYMBOLS,
+    M,
     alpha,
+    beta,
+    c2,
+    c3,
     constants,
-    paired,
-    square,
-    squared,
-    term,
+    delta,
+    half,
     without_root,
 )
+from ..bounds import PRINTED, PROVED
+from ..descent import SYMBOLS, paired, square, squared, term
 from ..universal import Universal
 
 INNER = "random vectors of finite mean square form an inner product space with the product E x'y"
@@ -186,9 +188,9 @@ def _units() -> Universal:
     scale, inverse = scalars("scale inverse")
     up, down = scale * scale, inverse * inverse
     moved = {
-        "mu": mu * down, "M": descent.M * down, "alpha": alpha * up, "beta": descent.beta * scale,
-        "delta": descent.delta * scale, "c2": descent.c2 * down, "c3": descent.c3 * down,
-        "half": descent.half * inverse,
+        "mu": mu * down, "M": M * down, "alpha": alpha * up, "beta": beta * scale,
+        "delta": delta * scale, "c2": c2 * down, "c3": c3 * down,
+        "half": half * inverse,
     }  # fmt: skip
     powers = {"m": down, "b": inverse, "l": ONE}
     made = constants(PROVED, LETTERS)

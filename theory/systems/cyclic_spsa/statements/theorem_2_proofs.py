@@ -6,14 +6,14 @@ from ....algebra.identities import ONE
 from ....algebra.noncommuting import Form, letters, scalars
 from ....algebra.rewriting import derive
 from ....expressions import parse
+from ..bound_letters import HALF, LETTERS, polynomial
 from ..bounds import PRINTED
-from ..descent import HALF, LETTERS, polynomial, square, squared, term
+from ..descent import square, squared, term
 from ..target_bound import NESTED
 from ..universal import Universal
+from . import theorem_2_changes
 from .theorem_1_proofs import INNER
-
-ADD = "variances of independent variables add"
-HESSIANS = {"H": "positive semidefinite: n", "S": "positive semidefinite: n"}
+from .theorem_2_changes import HESSIANS
 
 
 def _gradient() -> Universal:
@@ -110,76 +110,6 @@ def _c2() -> Universal:
     return Universal("theorem_2_c2_repair", words, (proof,), symbols, (INNER,))
 
 
-def _change() -> Universal:
-    """Mean square of the change of the cost from sample to sample, at x and at the target."""
-    u, w, v, z = letters("u w v z")
-    p, q, s = scalars("p q s")
-    relations = (
-        squared(u) - s,
-        squared(w) - s,
-        u.T * w,
-        u.T * v,
-        u.T * z,
-        w.T * v,
-        w.T * z,
-        squared(v) - q,
-        squared(z) - q,
-        v.T * z - p * p,
-    )
-    names = ("u' u", "w' w", "u' w", "u' v", "u' z", "w' v", "w' z", "v' v", "z' z", "v' z")
-    change = w - u + HALF * (v - z)
-    goal = squared(change) - 2 * s - HALF * (q - p * p)
-    words = (
-        "at x = theta + e the cost of targets at rest changes from sample to sample by -(u - w) + "
-        "(v - z)/2, u = xi'He and v = xi'H xi in the later sample, w and z in the earlier one. For "
-        "noise that is symmetric and new in each sample, with s = e'H Xi H e, p = E v and "
-        "q = E v^2, the mean square of that is 2 s + (q - p^2)/2: Assumption 5 for every x with "
-        "c4 = Var(xi'H xi)/2"
-    )
-    proof = derive("change", goal, relations, dict(enumerate(names)))
-    symbols = dict.fromkeys("uwvz", "vector: n") | dict.fromkeys("pqs", "nonnegative")
-    return Universal("theorem_2_change", words, (proof,), symbols, (INNER,))
-
-
-def _spread() -> Universal:
-    h, s, xi, t, e = letters("H S Xi T e", ("H", "S", "Xi", "T"))
-    bound, largest = scalars("M lambda_1")
-    relations = (s + h - bound * ONE, xi + t - largest * ONE)
-    goal = largest * bound * bound * bound * squared(e) - bound * (e.T * h * xi * h * e)
-    squares = (
-        square(bound, h * e, t),
-        square(largest * bound * bound, e, s),
-        square(largest, h * e, s),
-        square(largest, s * e, h),
-    )
-    words = (
-        "H >= 0, M - H = S >= 0 and the largest eigenvalue lambda_1 of the covariance Xi, lambda_1 "
-        "- Xi = T >= 0: M e'H Xi H e <= M^3 lambda_1 e'e, so that c3 = 2 M^2 lambda_1 serves for "
-        "targets at rest"
-    )
-    proof = derive("spread", goal, relations, {0: "S", 1: "Xi"}, squares)
-    symbols = HESSIANS | {"T": "positive semidefinite: n", "Xi": "positive semidefinite: n"}
-    symbols |= {"M": "positive", "lambda_1": "nonnegative", "e": "vector: n"}
-    return Universal("theorem_2_c3_repair", words, (proof,), symbols)
-
-
-def _level() -> Universal:
-    v, z = letters("v z")
-    f, p, q = scalars("f p q")
-    relations = (squared(v) - q, squared(z) - q, v.T * z - p * p)
-    change = HALF * (f * (v - z))
-    goal = squared(change) - HALF * (f * f * (q - p * p))
-    words = (
-        "at the true positions the cost of a target of weight f = K/(n sigma^2) changes from "
-        "sample to sample by f (v - z)/2, v = |xi|^2 later and z earlier, with mean p and mean "
-        "square q: the mean square of the change is f^2 (q - p^2)/2, and targets with independent "
-        "noises add theirs: c4 = sum (K/n)^2 Var(|xi|^2)/(2 sigma^4)"
-    )
-    proof = derive("level", goal, relations, {0: "v' v", 1: "z' z", 2: "v' z"})
-    symbols = dict.fromkeys("vz", "vector: n") | dict.fromkeys("fpq", "nonnegative")
-    return Universal("theorem_2_c4_repair", words, (proof,), symbols, (INNER, ADD))
-
-
 def _drift() -> Universal:
     x, y = letters("x y")
     p, q, r, s = scalars("p q r s")
@@ -224,9 +154,7 @@ UNIVERSAL: tuple[Universal, ...] = (
     _gamma(),
     _centred(),
     _c2(),
-    _change(),
-    _spread(),
-    _level(),
     _drift(),
     _nested(),
+    *theorem_2_changes.UNIVERSAL,
 )

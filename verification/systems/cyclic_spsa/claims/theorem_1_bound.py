@@ -13,7 +13,7 @@ from verification.verdict import Decision
 
 from ..claim_figures import errors_over_steps
 from ..promises import promised
-from .common import replayed
+from .common import proofs, replayed
 from .theorem_1_repair import corrected
 
 Document = dict[str, Any]
@@ -84,8 +84,13 @@ def violation(point: Point) -> dict[str, Document]:
 
 
 def bound_one_instant() -> Decision:
-    """One instant."""
-    return lag("theorem_1_bound_one_instant", Fraction(2), "one instant")
+    """One instant: the mean step is bounded by less, and no two costs are compared."""
+    decision = lag("theorem_1_bound_one_instant", Fraction(2), "one instant")
+    return replace(
+        decision,
+        repair=f"{decision.repair} With one instant it holds for c3 = c4 = 0.",
+        certificates={**decision.certificates, **proofs("theorem_1_mean_step_at_once")},
+    )
 
 
 def bound_noise() -> Decision:

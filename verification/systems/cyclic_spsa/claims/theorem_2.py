@@ -24,11 +24,14 @@ CONSTANTS = (
     "theorem_2_c2_repair",
     "theorem_2_c3_repair",
     "theorem_2_change",
+    "theorem_2_change_moving",
 )
 REPAIR = (
     "The repaired Theorem 1 with mu = K/(n max sigma^2), M = K/(n min sigma^2), c2 = sum (K/n)^2 "
-    "tr Xi/sigma^4, c3 = 2 M^2 lambda_max(Xi) and c4 = Var(xi'H xi)/2, for symmetric noise and "
-    "targets at rest; with drift the quantity `assumptions` gives c3 and c4."
+    "tr Xi/sigma^4 and, for symmetric noise, c3 = 2 M^2 lambda_max(Xi) and c4 = Var(xi'H xi)/2 for "
+    "targets at rest, c3 = 2 M^2 (2 lambda_max(Xi) + delta^2) and c4 = [(eta'H eta)^2 + 4 eta'H Xi "
+    "H eta + 2 Var(xi'H xi)]/2 for targets that move by eta: the root of the mean square of the "
+    "error of a block is in the long run at most the first formula below."
 )
 STEP, BETA = Fraction(1, 20), Fraction(3, 100)
 UNIT = {"K": 1, "n": 1, "d": 2, "k": 1, "high": 1, "low": 1, "ratio": 1, "level": 0}
