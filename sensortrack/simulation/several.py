@@ -88,19 +88,18 @@ class RunOfSeveral(Run):
     def estimate_data(self) -> list[dict[str, Any]]:
         """Errors of each estimate at the kept samples: together, by sensor, by target."""
         kept = self._kept(KEPT)
-        made: list[dict[str, Any]] = []
-        for name, (place, _) in self.estimates.items():
+        made = []
+        for name in self.estimates:
             pairs = self.pairs(name)[kept]
-            entry: dict[str, Any] = {
-                "name": name,
-                "label": self.labels.get(name, name),
-                "error": rounded(mean_square(pairs, (1, 2))),
-                "by_sensor": rounded(mean_square(pairs, (2,)).T),
-                "by_target": rounded(mean_square(pairs, (1,)).T),
-            }
-            if not made:
-                entry["first_sensor"] = [rounded(place[kept, 0, i]) for i in range(place.shape[2])]
-            made.append(entry)
+            made.append(
+                {
+                    "name": name,
+                    "label": self.labels.get(name, name),
+                    "error": rounded(mean_square(pairs, (1, 2))),
+                    "by_sensor": rounded(mean_square(pairs, (2,)).T),
+                    "by_target": rounded(mean_square(pairs, (1,)).T),
+                }
+            )
         return made
 
     def sensor_data(self) -> list[dict[str, Any]]:

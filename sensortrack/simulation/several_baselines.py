@@ -9,7 +9,8 @@ from sensortrack.estimators.position_kalman import PositionKalman
 
 from .parts import Scenario
 from .ranging import Measured
-from .spsa_agents import Starts, Team
+from .spsa_following import Starts
+from .spsa_teams import Team
 
 Floats = NDArray[np.float64]
 SPEED = 1000.0

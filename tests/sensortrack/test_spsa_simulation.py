@@ -14,8 +14,8 @@ from sensortrack.simulation import simulate
 from sensortrack.simulation.ranging import NoisePart, measured, moments
 from sensortrack.simulation.scenario import scenario_of
 from sensortrack.simulation.several_baselines import received
-from sensortrack.simulation.spsa_agents import team_of
-from sensortrack.simulation.systems.cyclic_spsa import variants
+from sensortrack.simulation.spsa_settings import variants
+from sensortrack.simulation.spsa_teams import team_of
 
 BASE = {
     "title": "A toy",

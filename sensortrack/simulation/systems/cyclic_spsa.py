@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,17 +17,16 @@ from sensortrack.simulation.ranging import Measured, NoisePart, check_noise, mea
 from sensortrack.simulation.run import rounded
 from sensortrack.simulation.several import EXACT
 from sensortrack.simulation.several_baselines import averaged, filtered
-from sensortrack.simulation.spsa_agents import (
+from sensortrack.simulation.spsa_following import Followed, Starts, follow, starts
+from sensortrack.simulation.spsa_settings import (
     SCALES,
-    Followed,
-    Starts,
-    Team,
+    EstimatorPart,
+    StartPart,
     Variant,
-    follow,
-    starts,
-    team_of,
+    VariantPart,
+    variants,
 )
-from sensortrack.tables import Vector
+from sensortrack.simulation.spsa_teams import Team, team_of
 
 from . import Found, merged
 
@@ -42,47 +41,6 @@ LABELS = {
 }
 AGAIN = "measures again"
 FAULTS = {"lost": ("measures nothing", AGAIN), "nan": ("sends no numbers", AGAIN)}
-
-
-@dataclass(frozen=True)
-class EstimatorPart:
-    """Step, perturbation, limits on neighbours and targets a step; ``scale`` is K of the weights.
-
-    ``reach_m`` is how far sensors see, 0 for without limit; ``diverged_m`` the error above which
-    a run counts as diverged.
-    """
-
-    system: str
-    h_s: float
-    alpha: float
-    beta_m: float
-    n_max: int
-    m_max: int
-    reading: str = "two"
-    scale: str = "harmonic"
-    reach_m: float = 0.0
-    diverged_m: float = 1e7
-
-
-@dataclass(frozen=True)
-class StartPart:
-    """Box in which first estimates are drawn, each coordinate by itself."""
-
-    low_m: Vector
-    high_m: Vector
-
-
-@dataclass(frozen=True)
-class VariantPart:
-    """Another setting that runs on the same data; what is left out is the estimator's."""
-
-    name: str
-    alpha: float = 0.0
-    beta_m: float = 0.0
-    reading: str = ""
-    n_max: int = -1
-    m_max: int = 0
-
 
 TABLES: Mapping[str, type] = {
     "noise": NoisePart,
@@ -149,26 +107,6 @@ def _check_start(part: StartPart | None) -> None:
 def _time(scenario: Scenario) -> Floats:
     count = round(scenario.header.duration_s / scenario.estimator.h_s) + 1
     return np.asarray(scenario.estimator.h_s * np.arange(count, dtype=np.float64))
-
-
-def variants(scenario: Scenario) -> tuple[Variant, ...]:
-    """The settings that run: the estimator's, unless variants are listed."""
-    part = scenario.estimator
-    limits = (part.n_max, part.m_max)
-    base = Variant("cyclic_spsa", part.alpha, part.beta_m, part.reading, *limits)
-    listed = tuple(
-        Variant(
-            entry.name,
-            entry.alpha or base.alpha,
-            entry.beta_m or base.beta,
-            entry.reading or base.reading,
-            base.n_max if entry.n_max < 0 else entry.n_max,
-            entry.m_max or base.m_max,
-            "variant",
-        )
-        for entry in scenario.parts["variant"]
-    )
-    return listed or (base,)
 
 
 def run(scenario: Scenario, seed: int, time: Floats, target: tuple[Floats, Floats]) -> Found:

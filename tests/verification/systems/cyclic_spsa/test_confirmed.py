@@ -8,8 +8,8 @@ import pytest
 from sensortrack.errors import InputError
 from sensortrack.simulation import read_scenario, shipped_scenarios
 from sensortrack.simulation.ranging import moments
-from sensortrack.simulation.spsa_agents import team_of
-from sensortrack.simulation.systems.cyclic_spsa import variants
+from sensortrack.simulation.spsa_settings import variants
+from sensortrack.simulation.spsa_teams import team_of
 from verification.inputs import read_inputs
 from verification.systems.cyclic_spsa.confirmed import confirm_mean, confirm_mean_square
 from verification.systems.cyclic_spsa.expected import Setting, expected_squares
