@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.meta.repository import ROOT
 from tests.verification.systems.cyclic_spsa.decided import decided
 from tests.verification.systems.cyclic_spsa.literal import outcomes, updated
 from theory.algebra.rewriting import derive
@@ -134,6 +135,17 @@ def test_the_table_of_looseness_has_the_numbers_that_were_computed_before():
     for row, wanted in zip(compared(CASES[:6]), known, strict=True):
         assert (row.exact, row.printed, row.corrected) == pytest.approx(wanted, rel=1e-5)
     assert [row.printed < row.exact for row in compared()] == [False] * 3 + [True] * 4
+
+
+def test_the_table_on_the_page_is_the_computed_one():
+    page = (ROOT / "docs/systems/cyclic_spsa_theory.md").read_text()
+    lines = page.split("| d | alpha |")[1].split("\n\n")[0].splitlines()[2:]
+    for row, line in zip(compared(), lines, strict=True):
+        entry = row.case
+        wanted = [entry.d, entry.alpha, entry.beta, entry.sigma, entry.delta]
+        wanted += [row.exact, row.printed, row.corrected]
+        found = [math.inf if x.strip() == "no bound" else float(x) for x in line.split("|")[1:-1]]
+        assert found == pytest.approx([float(x) for x in wanted], rel=1e-4)
 
 
 def test_assumption_5_at_every_point_matters():
