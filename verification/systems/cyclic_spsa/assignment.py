@@ -18,8 +18,14 @@ from math import lcm
 from typing import TypeVar
 
 T = TypeVar("T")
-VISITS = 100_000
-"""Choices that are looked at before a search stops without a proof."""
+VISITS = 20_000
+"""Divisions that are looked at before a search stops without a proof."""
+
+DEEPEST = 300
+"""Targets up to which divisions are searched."""
+
+WORK = 4_000_000
+"""Variances that a search for neighbours compares before it stops without a proof."""
 
 Score = tuple[int, Fraction, Fraction]
 """Targets without a measurement, sum of variances, largest variance."""
@@ -73,7 +79,7 @@ class Blocks:
 
 
 def best_sources(
-    own: int, variances: Table, reachable: Sequence[int], n_max: int, visits: int = VISITS
+    own: int, variances: Table, reachable: Sequence[int], n_max: int, work: int = WORK
 ) -> Sources:
     """The neighbours whose measurements leave the smallest score.
 
@@ -87,8 +93,8 @@ def best_sources(
         Sensors that it may listen to.
     n_max : int
         Neighbours at most.
-    visits : int, optional
-        Choices looked at before it stops without a proof.
+    work : int, optional
+        Variances compared before it stops without a proof.
 
     Notes
     -----
@@ -97,8 +103,7 @@ def best_sources(
     candidates = [
         q for q in sorted({*reachable} - {own}) if any(x is not None for x in variances[q])
     ]
-    search = _SourceSearch(own, variances, candidates, n_max, visits)
-    search.visit(0, (), [variances[own][i] for i in range(len(variances[own]))])
+    search = _SourceSearch(own, variances, candidates, n_max, work)
     found = _sources(own, variances, search.best, search.left > 0)
     return replace(found, neighbours=tuple(sorted({*found.sources.values()} - {own})))
 
@@ -140,61 +145,69 @@ def _score(least: Sequence[Fraction | None]) -> Score:
     return len(least) - len(known), sum(known, Fraction(0)), max(known, default=Fraction(0))
 
 
-def _merged(
-    least: Sequence[Fraction | None], more: Sequence[Fraction | None]
-) -> list[Fraction | None]:
-    """Target by target, the smaller variance."""
-    return [
-        b if a is None else a if b is None else min(a, b) for a, b in zip(least, more, strict=True)
-    ]
-
-
 class _SourceSearch:
-    """Every set of at most n_max candidates, but those that cannot beat the best so far."""
+    """Every set of at most n_max candidates, but those that cannot beat the best so far.
+
+    A missing measurement counts as a variance above all sums, so that a set's score is the sum of
+    its least variances and the largest of them. What several sensors gain together is at most the
+    sum of what each of them gains: a set of r more is no better than the r largest gains say.
+    """
 
     def __init__(
-        self, own: int, variances: Table, candidates: list[int], n_max: int, visits: int
+        self, own: int, variances: Table, candidates: list[int], n_max: int, work: int
     ) -> None:
-        self.variances, self.left, self.n_max = variances, visits, n_max
-        # the most useful ones first: good choices are met early
-        alone = {q: _score(_merged(variances[own], variances[q])) for q in candidates}
-        self.candidates = sorted(candidates, key=lambda q: (alone[q], q))
-        # what all candidates from a place on would give together: a bound
-        rest: list[list[Fraction | None]] = [[None] * len(variances[own])]
-        for q in reversed(self.candidates):
-            rest.append(_merged(rest[-1], variances[q]))
-        self.rest = rest[::-1]
+        known = [x for row in variances for x in row if x is not None]
+        unit = lcm(*(x.denominator for x in known))  # integers are quicker
+        self.hole = hole = int(sum(known, Fraction(1)) * unit) + 1
+        rows = {q: [hole if x is None else int(x * unit) for x in variances[q]] for q in candidates}
+        start = [hole if x is None else int(x * unit) for x in variances[own]]
+        alone = {q: (self._total(_lower(start, row)), q) for q, row in rows.items()}
+        self.candidates = sorted(candidates, key=alone.__getitem__)  # good choices are met early
+        self.rows, self.n_max, self.left = rows, n_max, work
         self.best: tuple[int, ...] = ()
-        self.score = _score(list(variances[own]))
-        self._greedy(list(variances[own]))
+        self.score = self._total(start)
+        self._greedy(start)
+        self.visit(0, (), start)
 
-    def _greedy(self, least: list[Fraction | None]) -> None:
-        chosen: tuple[int, ...] = ()
-        for _ in range(self.n_max):
-            gains = [
-                (_score(_merged(least, self.variances[q])), q)
-                for q in self.candidates
-                if q not in chosen
-            ]
-            if not gains or min(gains)[0] >= _score(least):
-                break
-            score, q = min(gains)
-            chosen, least = (*chosen, q), _merged(least, self.variances[q])
-            self.best, self.score = chosen, score
+    def _total(self, least: list[int]) -> tuple[int, int]:
+        """Sum, and the largest variance that there is."""
+        return sum(least), max((x for x in least if x < self.hole), default=0)
 
-    def visit(self, place: int, chosen: tuple[int, ...], least: list[Fraction | None]) -> None:
+    def _greedy(self, least: list[int]) -> None:
+        while len(self.best) < self.n_max:
+            found = [(self._total(_lower(least, self.rows[q])), q) for q in self.candidates]
+            if not found or min(found)[0] >= self.score:
+                return
+            self.score, q = min(found)
+            self.best, least = (*self.best, q), _lower(least, self.rows[q])
+
+    def visit(self, place: int, chosen: tuple[int, ...], least: list[int]) -> None:
         """Look at all sets that contain `chosen` and further candidates from a place on."""
-        self.left -= 1
-        score = _score(least)
+        score = self._total(least)
         if score < self.score:
             self.best, self.score = chosen, score
-        if self.left <= 0 or place == len(self.candidates) or len(chosen) == self.n_max:
-            return
-        if _score(_merged(least, self.rest[place])) >= self.score:
-            return
-        q = self.candidates[place]
-        self.visit(place + 1, (*chosen, q), _merged(least, self.variances[q]))
-        self.visit(place + 1, chosen, least)
+        more = self.n_max - len(chosen)
+        reached = {q: _lower(least, self.rows[q]) for q in self.candidates[place:] if more}
+        for at, (q, lower) in enumerate(reached.items(), start=place):
+            if self.left <= 0 or self._bound(score[0], reached, at - place, more) >= self.score:
+                return
+            self.visit(at + 1, (*chosen, q), lower)
+
+    def _bound(
+        self, total: int, reached: Mapping[int, list[int]], skipped: int, more: int
+    ) -> tuple[int, int]:
+        """What no set of some more candidates can be below, the first ones being skipped."""
+        rows = list(reached.values())[skipped:]
+        self.left -= len(rows) * len(rows[0])
+        gains = sorted((total - sum(row) for row in rows), reverse=True)
+        # with the same sum, the largest variance may still be smaller
+        largest = max(min(column) for column in zip(*rows, strict=True))
+        return total - sum(gains[:more]), largest if largest < self.hole else 0
+
+
+def _lower(least: list[int], more: list[int]) -> list[int]:
+    """Target by target, the smaller variance."""
+    return list(map(min, least, more))
 
 
 def balanced_blocks(weights: Mapping[int, Fraction], m_max: int, visits: int = VISITS) -> Blocks:
@@ -213,7 +226,10 @@ def balanced_blocks(weights: Mapping[int, Fraction], m_max: int, visits: int = V
     count = -(-len(order) // m_max)
     unit = lcm(*(weights[i].denominator for i in order))  # integers are quicker
     search = _BlockSearch([int(weights[i] * unit) for i in order], count, m_max, visits)
-    search.visit(0, [0] * count, [0] * count)
+    if len(order) <= DEEPEST:
+        search.visit(0, [0] * count, [0] * count)
+    else:
+        search.left = 0
     places = search.best
     blocks = sorted(
         tuple(sorted(i for i, place in zip(order, places, strict=True) if place == u))

@@ -22,7 +22,9 @@ SHOWN = 12
 
 TOO_LARGE = "no certificate: more than {} blocks or pairs of a sensor and a target"
 FIRST_ORDER = "covariances are those of the first order, (14) with its axes put right"
-NOT_ALL = "best of the choices that were looked at: there may be better ones for sensor {}"
+NOT_ALL = "of {} sensors not all choices were looked at: there may be better ones"
+LONGEST = 48
+"""Characters of a list that are shown to a reader."""
 
 
 def network_step_limit(values: Mapping[str, Any]) -> Answer:
@@ -53,8 +55,7 @@ def network_step_limit(values: Mapping[str, Any]) -> Answer:
     document, notes = _proved(network, plans), [FIRST_ORDER]
     if document is None:
         notes.append(TOO_LARGE.format(LARGEST))
-    open_ones = [str(plan.own) for plan in plans if not plan.proved]
-    notes += [NOT_ALL.format(", ".join(open_ones))] if open_ones else []
+    notes += searched(plans)
     return Answer(
         value=nearest(worst.limit),
         exact={"kind": "rational", "value": text(worst.limit)},
@@ -70,6 +71,12 @@ def network_step_limit(values: Mapping[str, Any]) -> Answer:
             "other": lambda: comparison(network, worst.limit),
         },
     )
+
+
+def searched(plans: Sequence[Plan]) -> list[str]:
+    """A note where a search for the best choices was stopped."""
+    count = sum(not plan.proved for plan in plans)
+    return [NOT_ALL.format(count)] if count else []
 
 
 def printed_limit(plans: Sequence[Plan], targets: int) -> Fraction:
@@ -167,13 +174,13 @@ def table(plans: Sequence[Plan], errors: Mapping[int, Mapping[int, float]] | Non
             "h": {str(i): text(x) for i, x in plan.hessian.items()},
             "limit": text(plan.limit),
         }
-        heard = ", ".join(map(str, plan.sources.neighbours)) or "none"
-        blocks = " | ".join(" ".join(map(str, block)) for block in plan.blocks.blocks)
+        heard = _cut(", ".join(map(str, plan.sources.neighbours))) or "none"
+        blocks = _cut(blocks_text(plan))
         line = f"hears {heard}; blocks {blocks}; limit {nearest(plan.limit):.6g}"
         if errors is not None:
             known = errors[plan.own]
             entry["rms"] = {str(i): x for i, x in known.items()}
-            line += "; rms " + ", ".join(f"{i}: {x:.4g}" for i, x in sorted(known.items()))
+            line += "; rms " + _cut(", ".join(f"{i}: {x:.4g}" for i, x in sorted(known.items())))
         data.append(entry)
         lines.append((f"sensor {plan.own}", line))
     rest = len(lines) - SHOWN
@@ -181,8 +188,19 @@ def table(plans: Sequence[Plan], errors: Mapping[int, Mapping[int, float]] | Non
     return Detail(data, (*lines[:SHOWN], *more))
 
 
-def comparison(network: Network, limit: Fraction) -> Detail:
-    """What the other choice of neighbours and blocks gives."""
+def blocks_text(plan: Plan) -> str:
+    """The blocks of a sensor for a reader."""
+    return " | ".join(" ".join(map(str, block)) for block in plan.blocks.blocks)
+
+
+def _cut(line: str) -> str:
+    return line if len(line) <= LONGEST else line[:LONGEST] + "…"
+
+
+def comparison(network: Network, limit: Fraction) -> Detail | None:
+    """What the other choice of neighbours and blocks gives; None for a large network."""
+    if len(network.sensors) * len(network.targets) > LARGEST:
+        return None
     other = next(word for word in ASSIGNMENTS if word != network.assignment)
     found = min(plan.limit for plan in plans_of(with_assignment(network, other)))
     line = f"limit {nearest(found):.10g}, {nearest(found / limit):.4g} times this one"

@@ -12,7 +12,7 @@ from verification.enclosures import ball, enclosure, ends, single
 from verification.input_kinds import positive
 
 from .block_inputs import ALPHA
-from .network import FIRST_ORDER, NOT_ALL, table
+from .network import FIRST_ORDER, searched, table
 from .network_inputs import NETWORK, Network, network_of
 from .network_plans import Plan, block_of_plan, plans_of
 from .second_moments import BITS, Moments, moments_of
@@ -70,9 +70,7 @@ def network_error(values: Mapping[str, Any]) -> Answer:
     with flint.ctx.workprec(BITS):
         found = errors_of(network, plans, alpha, law)
         more = {"sensors": lambda: _table(plans, found)}
-        notes = [WHAT, FIRST_ORDER]
-        open_ones = [str(plan.own) for plan in plans if not plan.proved]
-        notes += [NOT_ALL.format(", ".join(open_ones))] if open_ones else []
+        notes = [WHAT, FIRST_ORDER, *searched(plans)]
         if found.unstable:
             where = GROWS.format(", ".join(map(str, found.unstable)))
             return Answer(value="inf", verdict="PROVED", notes=(where, *notes), more=more)

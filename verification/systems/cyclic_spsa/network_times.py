@@ -11,7 +11,7 @@ from verification.answers import Answer, Detail, Input
 from verification.exact.rationals import above, below, nearest, text
 
 from .assignment import pieces
-from .network import FIRST_ORDER, LIMITED
+from .network import FIRST_ORDER, LIMITED, blocks_text
 from .network_inputs import Network, network_of
 from .network_plans import Plan, plan_of
 
@@ -87,7 +87,7 @@ def _schedule(plans: Sequence[tuple[Plan, ...]]) -> Detail:
         data.append([{"from": start, **plan.schedule()} for start, plan in found])
         for start, plan in found:
             sources = ", ".join(f"{i} from {q}" for i, q in sorted(plan.sources.sources.items()))
-            blocks = " | ".join(" ".join(map(str, block)) for block in plan.blocks.blocks)
+            blocks = blocks_text(plan)
             lines.append((f"sensor {own}", f"from sample {start}: {sources}; blocks {blocks}"))
     rest = len(lines) - SHOWN
     more = [("", f"and {rest} further pieces")] if rest > 0 else []

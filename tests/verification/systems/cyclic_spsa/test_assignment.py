@@ -65,7 +65,7 @@ def test_the_nearest_ones_are_never_better(table, n_max, data):
 
 def test_a_search_that_is_stopped_says_so_and_keeps_its_best():
     table = [[Fraction((7 * q + 5 * i) % 11 + 1) for i in range(6)] for q in range(9)]
-    short, full = (best_sources(0, table, range(9), 3, visits) for visits in (3, 10_000))
+    short, full = (best_sources(0, table, range(9), 3, work) for work in (3, 1_000_000))
     assert full.proved
     assert not short.proved
     assert full.score <= short.score < score(table, (0,))
