@@ -5,6 +5,7 @@ from __future__ import annotations
 from verification.answers import Condition, Quantity
 
 from . import own_questions
+from .almost_sure import almost_sure_limit, lyapunov_exponent
 from .best_step import best_step
 from .block_inputs import ALPHA, BLOCK
 from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
@@ -28,6 +29,20 @@ QUANTITIES: tuple[Quantity, ...] = (
         "of the second-moment operator of one update",
         (*BLOCK, ALPHA),
         spectral_radius,
+        False,
+    ),
+    Quantity(
+        "lyapunov_exponent",
+        "limit of ln|error|/updates of one coordinate, Gaussian noise",
+        (*BLOCK, ALPHA),
+        lyapunov_exponent,
+        False,
+    ),
+    Quantity(
+        "almost_sure_limit",
+        "supremum of alpha with the error of one coordinate dying out with probability 1",
+        BLOCK,
+        almost_sure_limit,
         False,
     ),
     Quantity(
