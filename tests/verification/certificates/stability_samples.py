@@ -5,6 +5,7 @@ from fractions import Fraction
 import numpy as np
 
 from verification.systems.cyclic_spsa.stability import decide_step, step_limit
+from verification.systems.cyclic_spsa.stationary import stationary_mse
 
 ZERO, ONE, BETA = ((Fraction(0),),), Fraction(1), Fraction(2, 5)
 COUPLED = ((ONE, Fraction(9, 10)), (Fraction(9, 10), ONE))
@@ -30,7 +31,12 @@ def stability_samples():
         "line": line | {"alpha": ONE},
     }
     made = {f"cyclic_spsa.step_limit {k}": step_limit(v).certificate for k, v in limits.items()}
-    return made | {f"cyclic_spsa.step {k}": decide_step(v).certificate for k, v in steps.items()}
+    errors = steps | {"one instant": steps["decays"] | {"reading": "one", "k": ONE * 2}}
+    made |= {f"cyclic_spsa.step {k}": decide_step(v).certificate for k, v in steps.items()}
+    return made | {
+        f"cyclic_spsa.stationary_mse {k}": stationary_mse(v | {"law": "gaussian"}).certificate
+        for k, v in errors.items()
+    }
 
 
 def _rows(value):
@@ -61,3 +67,34 @@ def stable_steps(entry):
     lower, upper = (float(Fraction(entry[end])) for end in ("lower", "upper"))
     below = second_moment_radius(entry["inputs"], lower) if lower > 0 else 0.0
     return below < 1 + 1e-6 and second_moment_radius(entry["inputs"], upper) > 1 - 1e-6
+
+
+def mean_square(entry):
+    """Whether the mean square is between the ends, from the D^2 equations of all entries."""
+    inputs = entry["inputs"]
+    alpha, k, two = (float(Fraction(inputs[name])) for name in ("alpha", "k", "reading"))
+    if entry["lower"] == "inf":
+        return second_moment_radius(inputs, alpha) > 1 - 1e-6
+    if second_moment_radius(inputs, alpha) > 1 - 1e-9:
+        return False
+    hessian, eta, xi = (_rows(inputs[name]) for name in ("H", "eta", "Xi"))
+    hessian, beta = hessian + np.diag(_rows(inputs["h"])[:, 0]), float(Fraction(inputs["beta"]))
+    size, move = len(hessian), 2 * k * eta
+    noise = (two - 1) * (2 * xi + eta @ eta.T) / (4 * beta**2)
+
+    def kick(q):
+        return np.trace(q + q @ noise) * np.eye(size) + 2 * (q - np.diag(np.diag(q)))
+
+    columns = []
+    for basis in np.eye(size**2).reshape(-1, size, size):
+        pull = hessian @ basis + basis @ hessian
+        columns.append((pull - alpha * kick(hessian @ basis @ hessian)).ravel())
+    drift = kick(move @ move.T) - move @ move.T
+    right = drift / alpha + alpha * kick(hessian @ xi @ hessian) / two
+    found = np.linalg.solve(np.array(columns).T, right.ravel()).reshape(size, size)
+    mean = move - (two - 1) / 2 * eta - np.linalg.solve(hessian, move) / alpha
+    value = np.trace(found) + (mean.T @ mean)[0, 0]
+    slack = 1e-9 * (1 + abs(value))
+    return float(Fraction(entry["lower"])) <= value + slack and value - slack <= float(
+        Fraction(entry["upper"])
+    )

@@ -10,7 +10,7 @@ from sensortrack.networks import Network
 from verification.exact.filippov import filippov_run
 
 from .own_samples import assumptions, network
-from .stability_samples import stable_step, stable_steps
+from .stability_samples import mean_square, stable_step, stable_steps
 
 SLACK = 1e-9
 
@@ -168,6 +168,7 @@ TRUTHS = {
     "step_limit": step_limit,
     "cyclic_spsa.assumptions": assumptions,
     "cyclic_spsa.network_step_limit": network,
+    "cyclic_spsa.stationary_mse": mean_square,
     "cyclic_spsa.step": stable_step,
     "cyclic_spsa.step_limit": stable_steps,
 }

@@ -25,7 +25,8 @@ from verification.exact.rationals import nearest
 
 from .block_inputs import block_of
 from .second_moments import BITS, moments_of
-from .stationary import Settling, is_stable, law_of, mean_square, slope
+from .settling import Settling, mean_square, slope
+from .stationary import is_stable, law_of
 
 STILL = "without drift the error is the smaller, the smaller the step is: no step is the best"
 ONLY = "the only minimum: the derivative changes its sign once"

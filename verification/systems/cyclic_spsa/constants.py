@@ -16,7 +16,8 @@ from verification.exact.semidefinite import Split
 from verification.exact.square_roots import square_root_beside
 
 from .block_inputs import Block, block_of
-from .stationary import LAWS, law_of
+from .settling import LAWS
+from .stationary import law_of
 
 NAMES = ("mu", "M", "c2", "c3", "c4", "delta")
 MOVED = "delta = |eta|, the drift of one sample"

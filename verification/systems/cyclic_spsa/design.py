@@ -21,8 +21,9 @@ from .network_errors import errors_of
 from .network_inputs import NETWORK, network_of
 from .network_plans import plans_of
 from .second_moments import BITS, moments_of
+from .settling import Settling, mean_square
 from .stability import decide_step
-from .stationary import LAW, Settling, law_of, mean_square
+from .stationary import LAW, law_of
 
 DIGITS = 6
 FEW_DIGITS = 4

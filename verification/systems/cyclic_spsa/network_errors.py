@@ -16,7 +16,8 @@ from .network import FIRST_ORDER, searched, table
 from .network_inputs import NETWORK, Network, network_of
 from .network_plans import Plan, block_of_plan, plans_of
 from .second_moments import BITS, Moments, moments_of
-from .stationary import LAW, Settling, law_of
+from .settling import Settling
+from .stationary import LAW, law_of
 
 ERROR = (*NETWORK, ALPHA, LAW)
 WHAT = "root of the mean of |theta_hat - theta|^2 over sensors and targets, right after updates"

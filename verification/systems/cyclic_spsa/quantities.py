@@ -78,7 +78,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         "where the mean square of that error settles",
         MEAN_SQUARE,
         stationary_mse,
-        False,
+        True,
     ),
     Quantity(
         "best_step",

@@ -123,7 +123,7 @@ def decide_step(values: Mapping[str, Any]) -> Answer:
     """
     block, alpha = block_of(values), positive(values, "alpha", "a step")
     limit = limit_of(block)
-    found = _at_step(block, alpha, limit)
+    found = at_step(block, alpha, limit)
     if found is None:
         return Answer(verdict="UNDECIDED", notes=(TOO_CLOSE,))
     case, chosen = found
@@ -142,10 +142,10 @@ def decide_step(values: Mapping[str, Any]) -> Answer:
     )
 
 
-def _at_step(
+def at_step(
     block: Block, alpha: Fraction, limit: Limit | None
 ) -> tuple[str, tuple[Rows, ...]] | None:
-    """Case and matrices of the statement at a step."""
+    """Case and matrices of the statement ``step``; None where they are not found."""
     if limit is not None and alpha >= limit.upper:
         if limit.case == "PROVED":
             return "REFUTED", limit.kept

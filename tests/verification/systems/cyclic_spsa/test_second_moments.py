@@ -11,8 +11,8 @@ from verification.systems.cyclic_spsa.direct_moments import DirectMoments
 from verification.systems.cyclic_spsa.enclosed_moments import BallMoments
 from verification.systems.cyclic_spsa.moments import fmpq
 from verification.systems.cyclic_spsa.second_moments import BITS, moments_of
+from verification.systems.cyclic_spsa.settling import Settling, mean_square, slope
 from verification.systems.cyclic_spsa.solutions import TooClose
-from verification.systems.cyclic_spsa.stationary import Settling, mean_square, slope
 
 
 def block(d, seed=0, diagonal=False, instants=2):

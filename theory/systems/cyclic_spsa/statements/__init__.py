@@ -13,12 +13,14 @@ from . import (
     network,
     schedule,
     stability,
+    stationary,
     theorem_1,
     theorem_2,
 )
 
 STATEMENTS: tuple[Statement, ...] = (
     *stability.STATEMENTS,
+    *stationary.STATEMENTS,
     *assumptions.STATEMENTS,
     *network.STATEMENTS,
     *measurement.STATEMENTS,
