@@ -14,10 +14,19 @@ from verification.exact.rationals import above, below
 from verification.input_kinds import positive
 
 from .block_inputs import Block, block_of
-from .limits import BITS, MOST_STACKED, Limit, decaying_at, limit_of
+from .iterated import leading
+from .limits import BITS, LARGE_BITS, MOST_STACKED, Limit, decaying_at, limit_of
 from .moments import noise_moments
 from .stacked import Stacked
-from .witnesses import around, covariance_of, identity_of, items, kept_at, rounded_growing
+from .witnesses import (
+    around,
+    covariance_of,
+    identity_of,
+    items,
+    kept_at,
+    rounded_decaying,
+    rounded_growing,
+)
 
 USABLE = 1e-6
 WIDE = "no narrower bracket from doubles: the data are too ill-scaled for so many coordinates"
@@ -157,11 +166,11 @@ def at_step(
 
 def _beside(block: Block, alpha: Fraction) -> tuple[str, tuple[Rows, ...]] | None:
     """Case and matrices at a step so close to the limit that its bracket does not decide."""
+    if block.size > MOST_STACKED and not block.diagonal:
+        return _beside_large(block, alpha)
     z = decaying_at(block, alpha)
     if z is not None:
         return "PROVED", (z, around(block, z))
-    if block.size > MOST_STACKED:
-        return None
     stacked = Stacked(block)
     for bits in BITS:
         near = stacked.kept(bits)
@@ -173,4 +182,20 @@ def _beside(block: Block, alpha: Fraction) -> tuple[str, tuple[Rows, ...]] | Non
         rows = rounded_growing(block, near[1], alpha)
         if rows is not None:
             return "REFUTED", (rows, around(block, rows))
+    return None
+
+
+def _beside_large(block: Block, alpha: Fraction) -> tuple[str, tuple[Rows, ...]] | None:
+    """The same from iteration in many bits, on the side on which it puts the step."""
+    for bits in LARGE_BITS:
+        found = leading(block, bits)
+        if found is None:
+            continue
+        stable = alpha < found.limit
+        show, start = (
+            (rounded_decaying, found.decaying) if stable else (rounded_growing, found.kept)
+        )
+        rows = show(block, start, alpha)
+        if rows is not None:
+            return "PROVED" if stable else "REFUTED", (rows, around(block, rows))
     return None

@@ -301,3 +301,11 @@ def test_the_multiplier_of_a_larger_block_is_one_at_the_limit(size):
     )
     assert below.upper < 1 < above.lower
     assert above.upper - below.lower < 1e-7
+
+
+def test_a_step_inside_the_bracket_of_a_large_block_is_decided():
+    values = random_block(17)
+    limit = step_limit(values)
+    inside = [Fraction(limit.lower) + Fraction(limit.upper - limit.lower) * k / 5 for k in (1, 4)]
+    verdicts = [decide_step(values | {"alpha": alpha}).verdict for alpha in inside]
+    assert verdicts == ["PROVED", "REFUTED"]
