@@ -137,6 +137,20 @@ def _matrix(name: str, given: object) -> Fraction | Rows:
     )
 
 
+def _matrices(name: str, given: object) -> tuple[Rows, ...]:
+    """A list of matrices; a number is one of one row."""
+    if not isinstance(given, list) or not given:
+        raise InputError(name, shown(given), "a list of matrices is needed")
+    found = []
+    for number, entry in enumerate(given, start=1):
+        try:
+            read = _matrix(name, entry)
+        except InputError as error:
+            raise InputError(name, f"matrix {number}: {error.found}", error.needed) from None
+        found.append(read if isinstance(read, tuple) else ((read,),))
+    return tuple(found)
+
+
 def _multiple(_: str, data: Fraction | Rows, setting: Setting) -> Rows:
     """A number as that multiple of the identity."""
     if isinstance(data, tuple):
@@ -310,6 +324,7 @@ def _as_read(_: str, data: Any, __: Setting) -> Any:
 KINDS: Mapping[str, Kind] = {
     "number": Kind('a number (0.1, "1/3")', _number, _as_read),
     "matrix": Kind("a number or a list of rows", _matrix, _multiple),
+    "matrices": Kind("a list of numbers or of lists of rows", _matrices, _as_read),
     "planar matrix": Kind("a number or two rows of two numbers", _matrix, _planar),
     "vector": Kind("a number or a list of numbers", _vector, _coordinates),
     "list": Kind("a number or a list of numbers", _vector, _as_read),

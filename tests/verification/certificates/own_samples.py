@@ -14,7 +14,7 @@ SLACK = 1e-9
 
 def cost(**changes):
     """Values as the command line makes them."""
-    plain = dict.fromkeys(("h", "H", "low", "high", "c3"))
+    plain = dict.fromkeys(("h", "H", "costs", "low", "high", "c3"))
     return plain | {"Xi": ((ONE,),), "eta": (ONE,), "law": "gaussian"} | changes
 
 
@@ -24,6 +24,8 @@ def own_samples():
     proved = assumption_constants(cost(h=(ONE, ONE * 2), law="two_point"))
     between = assumption_constants(cost(low=ONE, high=ONE * 2, eta=(ONE * 0,)))
     made = {"proved": proved, "of all": between}
+    unlike = cost(costs=(((ONE,),), ((ONE * 2,),))) | good | {"M": ONE * 2, "c2": ONE * 4}
+    made["unlike"] = decide_assumptions(unlike)
     wrong = {"mu": 2, "M": "1/2", "c2": "1/2", "c3": 2, "c4": 2, "delta": "1/2"}
     made |= {
         name: decide_assumptions(plain | good | {name: Fraction(value)})
@@ -75,6 +77,14 @@ def assumptions(entry):
         delta - np.linalg.norm(eta),
     )
     return min(spare) > -SLACK if entry["verdict"] == "PROVED" else min(spare) < SLACK
+
+
+def unlike_costs(entry):
+    """Two unlike Hessians have no c3 and c4, however large."""
+    return (
+        entry["inputs"]["H"] != entry["inputs"]["G"]
+        or min(float(Fraction(entry["inputs"][name])) for name in ("c3", "c4")) < 6
+    )
 
 
 def network(entry):

@@ -9,7 +9,7 @@ import numpy as np
 from sensortrack.networks import Network
 from verification.exact.filippov import filippov_run
 
-from .own_samples import assumptions, network
+from .own_samples import assumptions, network, unlike_costs
 from .stability_samples import mean_square, stable_step, stable_steps
 
 SLACK = 1e-9
@@ -167,6 +167,7 @@ TRUTHS = {
     "step": step,
     "step_limit": step_limit,
     "cyclic_spsa.assumptions": assumptions,
+    "cyclic_spsa.assumptions_of_two": unlike_costs,
     "cyclic_spsa.network_step_limit": network,
     "cyclic_spsa.stationary_mse": mean_square,
     "cyclic_spsa.step": stable_step,

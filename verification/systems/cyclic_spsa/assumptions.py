@@ -1,25 +1,23 @@
 """The sharp constants of Assumptions 1 to 5 for a user's costs, and whether given ones do.
 
-The costs are quadratic, (x - theta_t - xi_t)'H(x - theta_t - xi_t)/2, or only known to have a
-Hessian between low I and high I. Assumption 5 is taken as a proof needs it, with x on both sides:
-E(f_t(x) - f_(t-1)(x))^2 <= c3 |x - theta_(t-1)|^2 + c4 for every x.
+The costs are quadratic, (x - theta_t - xi_t)'H(x - theta_t - xi_t)/2, with one H or with any of a
+list in each sample, or they are only known to have a Hessian between low I and high I. Assumption 5
+is taken as a proof needs it, with x on both sides: E(f_t(x) - f_(t-1)(x))^2 <= c3 |x -
+theta_(t-1)|^2 + c4 for every x.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Mapping
 from typing import Any
 
 from sensortrack.errors import InputError
 from verification.answers import Answer, Input
-from verification.certificates.make import certificate
-from verification.exact.evaluate import add, dot, identity, quadratic, scaled
+from verification.exact.evaluate import identity
 from verification.exact.rationals import above, nearest
-from verification.exact.semidefinite import split
 
-from .block_inputs import DRIFT, HESSIAN, NOISE, Block
+from .block_inputs import DRIFT, HESSIAN, NOISE
+from .changing_costs import COSTS, decide_costs, of_costs
 from .constants import (
     MOVED,
     NAMES,
@@ -29,15 +27,14 @@ from .constants import (
     cost_of,
     drift_bounds,
     largest_ratio,
-    matrix_item,
-    semidefinite_items,
 )
-from .cost_changes import Change, beyond, change_of, excess, gradient_power, offset
+from .cost_changes import change_of, gradient_power, offset
 from .hessian_bounds import BOUNDS, blocks_between, class_constants, of_bounds, proved_of_all
+from .quadratic_costs import proved, refuted
 from .stationary import LAW
 
 WANTED_C3 = Input("c3", "number", "the c3 for which c4 is asked", optional=True)
-COST = (*HESSIAN, *BOUNDS, NOISE, DRIFT, LAW)
+COST = (*HESSIAN, COSTS, *BOUNDS, NOISE, DRIFT, LAW)
 GIVEN = tuple(Input(name, "number", f"the constant {name} of the assumptions") for name in NAMES)
 
 SUPREMA = (
@@ -61,8 +58,8 @@ def assumption_constants(values: Mapping[str, Any]) -> Answer:
     Parameters
     ----------
     values : mapping
-        ``h`` or ``H``, or ``low`` and ``high``; ``Xi`` (m^2), ``eta`` (m a sample), ``law``, and
-        ``c3`` where c4 is asked for another c3 than the default one.
+        ``h`` or ``H``, or ``costs``, or ``low`` and ``high``; ``Xi`` (m^2), ``eta`` (m a sample),
+        ``law``, and ``c3`` where c4 is asked for another c3 than the default one.
 
     Raises
     ------
@@ -74,6 +71,8 @@ def assumption_constants(values: Mapping[str, Any]) -> Answer:
     ----------
     V. Erofeeva, O. Granichin, Assumptions 1 to 5; Theorem 2.
     """
+    if values["costs"] is not None:
+        return of_costs(values)
     if values["low"] is not None or values["high"] is not None:
         return of_bounds(values)
     block, kurtosis = cost_of(values)
@@ -94,7 +93,7 @@ def assumption_constants(values: Mapping[str, Any]) -> Answer:
     notes = [text.format(least=nearest(least[1])) for text in SUPREMA]
     notes += [DOUBLED] if moves and wanted is None else []
     notes += [FREE.format(nearest(change.printed)), ONE_INSTANT]
-    return bracketed(lows, highs, _proved(data, change), notes)
+    return bracketed(lows, highs, proved(data, change), notes)
 
 
 def decide_assumptions(values: Mapping[str, Any]) -> Answer:
@@ -119,94 +118,21 @@ def decide_assumptions(values: Mapping[str, Any]) -> Answer:
         if values[name] < 0:
             raise InputError(name, f"{values[name]}", "a constant of 0 or more is needed")
     constants = [values[name] for name in NAMES]
+    if values["costs"] is not None:
+        return decide_costs(values, constants)
     if values["low"] is None and values["high"] is None:
         block, kurtosis = cost_of(values)
-        refuted = _refuted(block, kurtosis, constants)
-        if refuted is not None:
-            return refuted
+        failed = refuted(block, kurtosis, constants)
+        if failed is not None:
+            return failed
         data = constant_data(block, kurtosis, constants)
-        return Answer(verdict="PROVED", certificate=_proved(data, change_of(block, kurtosis)))
+        return Answer(verdict="PROVED", certificate=proved(data, change_of(block, kurtosis)))
     low, high, kurtosis = blocks_between(values)
     for block in (low, high):
-        refuted = _refuted(block, kurtosis, constants)
-        if refuted is not None:
-            return refuted
+        failed = refuted(block, kurtosis, constants)
+        if failed is not None:
+            return failed
     needed = class_constants(low, high, kurtosis)
     if any(given < need for given, need in zip(constants[3:5], needed[1], strict=True)):
         return Answer(verdict="UNDECIDED", notes=(NOT_SHARP,))
     return Answer(verdict="PROVED", certificate=proved_of_all(low, high, kurtosis, constants))
-
-
-def _proved(data: Mapping[str, Any], change: Change) -> dict[str, Any]:
-    hessian, eye = data["H"], identity(len(data["H"]))
-    low = split(add(hessian, scaled(data["mu"], eye), -1))
-    high = split(add(scaled(data["M"], eye), hessian, -1))
-    _, z, rest = offset(change, data["c3"])
-    factors = [item for parts in (low, high, rest) for item in semidefinite_items(parts)]
-    witness = [matrix_item(eye), *factors, matrix_item([[x] for x in z])]
-    return certificate("cyclic_spsa", "assumptions", data, witness)
-
-
-def _refuted(block: Block, kurtosis: Fraction, constants: Sequence[Fraction]) -> Answer | None:
-    """The answer that names the first constant that is none, if there is one."""
-    given, change = dict(zip(NAMES, constants, strict=True)), change_of(block, kurtosis)
-    found = _extreme(block, given) or _power(block, given) or _changes(block, change, given)
-    if found is None:
-        return None
-    name, vector, miss, text = found
-    witness = [matrix_item([[x] for x in vector])] if vector else []
-    data = constant_data(block, kurtosis, constants)
-    return Answer(
-        verdict="REFUTED",
-        certificate=certificate("cyclic_spsa", "assumptions", data, witness, f"REFUTED_{name}"),
-        margin=-nearest(miss),
-        notes=(f"{name}: {text}",),
-    )
-
-
-Failure = tuple[str, tuple[Fraction, ...], Fraction, str]
-"""The constant, a vector, by how much it misses there, and what is true instead."""
-
-
-def _extreme(block: Block, given: Mapping[str, Fraction]) -> Failure | None:
-    hessian, eye = block.hessian, identity(block.size)
-    for name, sign in (("mu", 1), ("M", -1)):
-        x = split(scaled(sign, add(hessian, scaled(given[name], eye), -1))).vector
-        if x is not None:
-            found = quadratic(x, hessian) / dot(x, x)
-            text = f"x'Hx/x'x = {nearest(found):.10g} at x = {_shown(x)}"
-            return name, x, abs(found - given[name]), text
-    return None
-
-
-def _power(block: Block, given: Mapping[str, Fraction]) -> Failure | None:
-    power = gradient_power(block)
-    if given["c2"] >= power:
-        return None
-    text = f"E|grad f(theta)|^2 = tr(H Xi H) = {nearest(power):.10g}"
-    return "c2", (), power - given["c2"], text
-
-
-def _changes(block: Block, change: Change, given: Mapping[str, Fraction]) -> Failure | None:
-    """The first of c3, c4 and delta that is no constant."""
-    c4, z, parts = offset(change, given["c3"])
-    if parts.vector is not None:
-        need = quadratic(z, change.form) / dot(z, z)
-        text = f"with less than {nearest(need):.10g}, no c4 is enough"
-        return "c3", z, need - given["c3"], text
-    if c4 is None:
-        y = beyond(change, given["c4"], z)
-        miss = excess(change, given["c3"], given["c4"], y)
-        return "c4", y, miss, "with exactly this c3, none is enough"
-    if given["c4"] < c4:
-        y = tuple(-x for x in z)
-        return "c4", y, c4 - given["c4"], f"with this c3, {nearest(c4):.10g} is needed"
-    square = dot(block.drift, block.drift)
-    if given["delta"] ** 2 < square:
-        text = f"|eta| = {math.sqrt(nearest(square)):.10g}"
-        return "delta", (), drift_bounds(block)[1] - given["delta"], text
-    return None
-
-
-def _shown(x: Sequence[Fraction]) -> str:
-    return "[" + ", ".join(f"{nearest(entry):.6g}" for entry in x) + "]"

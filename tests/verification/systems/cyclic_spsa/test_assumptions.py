@@ -39,13 +39,18 @@ def valid(answer):
     return check.check_document(answer.certificate, statements())
 
 
-def enumerated(hessian, points, eta, y):
+def enumerated(hessian, points, eta, y, before=None):
     """E(f_t(x) - f_(t-1)(x))^2 at x = theta + y, the noise taking points with probabilities."""
     total = Fraction(0)
     for new, old in itertools.product(points, repeat=2):
         now = [a - b - c for a, b, c in zip(y, eta, new[0], strict=True)]
-        before = [a - b for a, b in zip(y, old[0], strict=True)]
-        total += new[1] * old[1] * (quadratic(now, hessian) - quadratic(before, hessian)) ** 2 / 4
+        then = [a - b for a, b in zip(y, old[0], strict=True)]
+        total += (
+            new[1]
+            * old[1]
+            * (quadratic(now, hessian) - quadratic(then, before or hessian)) ** 2
+            / 4
+        )
     return total
 
 
@@ -172,9 +177,60 @@ def test_bounds_on_the_hessian_are_enough_and_three_constants_are_reached():
         assert answer.verdict == "PROVED"
 
 
+LIST = {"costs": [[["1", "0"], ["0", "2"]], [["3", "1"], ["1", "1"]]], "Xi": "1/2"}
+
+
+def test_costs_that_change_have_the_worst_of_each_constant_and_no_c3():
+    found = ask(**LIST, eta=["1", "0"])
+    alone = [ask(H=rows, Xi="1/2", eta=["1", "0"]).value for rows in LIST["costs"]]
+    assert found.value[0] == pytest.approx(min(x[0] for x in alone))
+    assert found.value[1:3] == pytest.approx([max(x[k] for x in alone) for k in (1, 2)])
+    assert found.value[3:5] == [float("inf")] * 2
+    assert found.value[5] == 1
+
+
+@settings(max_examples=20, deadline=None)
+@given(costs(), st.integers(0, 10**9), st.integers(0, 10**9))
+def test_no_c3_is_enough_from_one_hessian_to_another(cost, c3, c4):
+    hessian, scales, eta, _ = cost
+    other = ((hessian[0][0] + 1, hessian[0][1]), hessian[1])
+    part = Fraction(1, 3)
+    noise = [[part * scales[0] ** 2, 0], [0, part * scales[1] ** 2]]
+    answer = decide(
+        [0, 100, 10**6, c3, c4, 100],
+        costs=[[list(row) for row in rows] for rows in (hessian, other)],
+        Xi=noise,
+        eta=list(eta),
+    )
+    assert valid(answer)["verdict"] == answer.verdict == "REFUTED"
+    assert answer.notes[0].startswith("c3:")
+    inputs = answer.certificate["inputs"]
+    now, before = (tuple(tuple(map(Fraction, row)) for row in inputs[name]) for name in ("H", "G"))
+    y = [Fraction(row[0]) for row in answer.certificate["witness"][-1]["rows"]]
+    points = list(laws(scales, "gaussian"))
+    assert enumerated(now, points, eta, y, before) > c3 * dot(y, y) + c4
+
+
+def test_what_is_wrong_with_one_cost_of_a_list_is_named_first():
+    for k, name in enumerate(("mu", "M", "c2")):
+        constants = ["1/3", "4", "6", "9", "9", "0"]
+        constants[k] = "1" if name == "mu" else "1/2"
+        answer = decide(constants, **LIST)
+        assert answer.notes[0].startswith(f"{name}:")
+        assert valid(answer)["verdict"] == "REFUTED"
+
+
 @pytest.mark.parametrize(
     "given, name",
     [
+        (LIST | {"h": ["1"]}, "h"),
+        (LIST | {"low": "1"}, "low"),
+        (LIST | {"c3": "1"}, "c3"),
+        ({"costs": [[["1"]], [["1", "0"], ["0", "1"]]]}, "costs"),
+        ({"costs": ["1", "1"]}, "costs"),
+        ({"costs": ["1", "-1"]}, "costs"),
+        ({"costs": "1"}, "costs"),
+        ({"costs": ["1", [["1"], ["2", "3"]]]}, "costs"),
         ({"Xi": "1"}, "h"),
         ({"h": ["1"], "H": [["1"]], "Xi": "1"}, "h"),
         ({"H": [["1", "2"], ["2", "1"]]}, "H"),

@@ -132,4 +132,26 @@ def _of_all() -> Statement:
     return Statement("cyclic_spsa", "assumptions_of_all", cases, inputs, relies_on=(relies,))
 
 
-STATEMENTS: tuple[Statement, ...] = (_assumptions(), _of_all())
+def _of_two() -> Statement:
+    words = (
+        "the cost of a block is (x - theta - xi)'H(x - theta - xi)/2 in a sample and the same with "
+        "G in the one before it, with xi of mean 0 and covariance Xi, and theta moves by eta in "
+        "between: E(f_t(x) - f_(t-1)(x))^2, which is at least the square of the mean, is above "
+        "c3 |x - theta_(t-1)|^2 + c4 at theta_(t-1) + y, so that c3 and c4 are no constants of "
+        "Assumption 5 with x on both sides"
+    )
+    mean = f"T(y)*(H - G)*y - 2*T(eta)*H*y + {PULL} + trace((H - G)*Xi)"
+    show = (
+        "pd(H)",
+        "pd(G)",
+        "Xi == T(Xi)",
+        f"exists(y, ({mean})*({mean}) > 4*(c3*T(y)*y + c4))",
+    )
+    inputs = dict.fromkeys(("H", "G", "Xi", "eta"), "matrix") | dict.fromkeys(
+        ("c3", "c4"), "number"
+    )
+    cases = {"REFUTED": Case("REFUTED", words, show)}
+    return Statement("cyclic_spsa", "assumptions_of_two", cases, inputs)
+
+
+STATEMENTS: tuple[Statement, ...] = (_assumptions(), _of_all(), _of_two())
