@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -69,6 +70,7 @@ def network_step_limit(values: Mapping[str, Any]) -> Answer:
             "critical": lambda: critical_block(network, worst),
             "sensors": lambda: table(plans),
             "other": lambda: comparison(network, worst.limit),
+            "other_reading": lambda: other_reading(network),
         },
     )
 
@@ -205,3 +207,14 @@ def comparison(network: Network, limit: Fraction) -> Detail | None:
     found = min(plan.limit for plan in plans_of(with_assignment(network, other)))
     line = f"limit {nearest(found):.10g}, {nearest(found / limit):.4g} times this one"
     return Detail({"assignment": other, "limit": text(found)}, ((f"if {other}", line),))
+
+
+def other_reading(network: Network) -> Detail | None:
+    """The limit with the other number of measurement instants; None for a large network."""
+    if len(network.sensors) * len(network.targets) > LARGEST:
+        return None
+    other = replace(network, instants=3 - network.instants)
+    found = min(plan.limit for plan in plans_of(other))
+    word = "one" if network.instants == 2 else "two"
+    label = f"limit, reading {word}"
+    return Detail({"reading": word, "limit": text(found)}, ((label, f"{nearest(found):.10g}"),))

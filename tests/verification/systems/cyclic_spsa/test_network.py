@@ -139,6 +139,15 @@ def test_the_other_assignment_is_compared():
         }
 
 
+def test_the_other_reading_is_named_with_its_limit():
+    for word, other in (("one", "two"), ("two", "one")):
+        found = ask(**PLAIN | {"reading": word}).more["other_reading"]().data
+        assert found == {
+            "reading": other,
+            "limit": str(exact(ask(**PLAIN | {"reading": other}))),
+        }
+
+
 def test_a_large_network_has_its_limit_without_a_file():
     many = PLAIN | {
         "sensors": [[7 * k, k * k % 31] for k in range(40)],
