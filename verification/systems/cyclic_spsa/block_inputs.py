@@ -94,8 +94,7 @@ def block_of(values: Mapping[str, Any]) -> Block:
     """
     hessian, given = hessian_of(values)
     size = len(hessian)
-    noise, drift = _sized(values["Xi"], size), _drift(values["eta"], size)
-    _covariance(noise)
+    noise, drift = covariance("Xi", values["Xi"], size), _drift(values["eta"], size)
     reading, blocks = values["reading"], values["k"]
     if reading not in READINGS:
         raise InputError("reading", repr(reading), f"one of {', '.join(READINGS)} is needed")
@@ -140,11 +139,20 @@ def _symmetric(name: str, rows: Rows) -> None:
         raise InputError(name, "a matrix that is not symmetric", "a symmetric one is needed")
 
 
-def _covariance(noise: Rows) -> None:
-    _symmetric("Xi", noise)
-    least = sum((noise[i][i] for i in range(len(noise))), start=Fraction(0))
-    if least < 0 or _negative(noise):
-        raise InputError("Xi", "an indefinite matrix", "a covariance, x'Xi x >= 0, is needed")
+def covariance(name: str, rows: Rows, size: int) -> Rows:
+    """A covariance of that size; one number means that multiple of the identity.
+
+    Raises
+    ------
+    InputError
+        It has another size, or is not symmetric positive semidefinite.
+    """
+    rows = _sized(name, rows, size)
+    _symmetric(name, rows)
+    least = sum((rows[i][i] for i in range(size)), start=Fraction(0))
+    if least < 0 or _negative(rows):
+        raise InputError(name, "an indefinite matrix", "a covariance, x'Ax >= 0, is needed")
+    return rows
 
 
 def _negative(rows: Rows) -> bool:
@@ -166,14 +174,14 @@ def _negative(rows: Rows) -> bool:
     return False
 
 
-def _sized(rows: Rows, size: int) -> Rows:
+def _sized(name: str, rows: Rows, size: int) -> Rows:
     """A number means that multiple of the identity."""
     if len(rows) == size:
         return rows
     if len(rows) == 1:
         unit = range(size)
         return tuple(tuple(rows[0][0] if i == j else Fraction(0) for j in unit) for i in unit)
-    raise InputError("Xi", f"{len(rows)} x {len(rows)}", f"{size} x {size} is needed")
+    raise InputError(name, f"{len(rows)} x {len(rows)}", f"{size} x {size} is needed")
 
 
 def _drift(drift: tuple[Fraction, ...], size: int) -> tuple[Fraction, ...]:

@@ -12,6 +12,7 @@ from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_int
 from .cycles import CYCLE, blocks_step_limit
 from .measurement_moments import MEASUREMENT, measurement_moments
 from .radius import spectral_radius
+from .random_walks import WALK, random_walk_mse
 from .stability import decide_step, step_limit
 from .stationary import BEST, MEAN, MEAN_SQUARE, stationary_mean, stationary_mse
 
@@ -85,6 +86,13 @@ QUANTITIES: tuple[Quantity, ...] = (
         "[alpha, root-mean-square error] where that mean square is least",
         BEST,
         best_step,
+        False,
+    ),
+    Quantity(
+        "random_walk_mse",
+        "where the mean square error settles if the target makes random steps",
+        WALK,
+        random_walk_mse,
         False,
     ),
     Quantity(

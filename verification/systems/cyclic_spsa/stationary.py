@@ -101,7 +101,7 @@ def stationary_mse(values: Mapping[str, Any], certified: bool = True) -> Answer:
             return Answer(value="inf", verdict="PROVED", notes=(GROWS,), certificate=document)
         settling = Settling(block, law)
         document = settled(settling, moments) if certified else None
-        return _mean_square_answer(mean_square(settling, moments), document)
+        return mean_square_answer(mean_square(settling, moments), document)
 
 
 def mean_settles(block: Block, alpha: Fraction) -> bool:
@@ -135,7 +135,8 @@ def is_stable(moments: Moments) -> bool | None:
         return None
 
 
-def _mean_square_answer(found: Any, document: Document | None) -> Answer:
+def mean_square_answer(found: Any, document: Document | None = None) -> Answer:
+    """A mean square, exact or in a ball, as an answer; bounds are those of its certificate."""
     import flint
 
     if not isinstance(found, flint.fmpq):
