@@ -9,10 +9,12 @@ from hypothesis import strategies as st
 
 from sensortrack.errors import InputError
 from verification.inputs import read_inputs
+from verification.systems.cyclic_spsa.confirmed import confirm_mean_square
 from verification.systems.cyclic_spsa.network import LIMITED, network_step_limit
 from verification.systems.cyclic_spsa.network_errors import ERROR, network_error
 from verification.systems.cyclic_spsa.network_inputs import network_of
 from verification.systems.cyclic_spsa.network_plans import block_of_plan, plans_of
+from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE
 
 from .networks import PLAIN, networks
 
@@ -66,6 +68,18 @@ def test_errors_are_those_of_the_closed_form(data, drift, part):
             assert rms == pytest.approx(np.sqrt(pairs), rel=1e-7)
     assert found.value == pytest.approx(np.sqrt(np.mean(squares)), rel=1e-7)
     assert found.lower <= found.value <= found.upper
+
+
+@pytest.mark.parametrize("assignment", ["nearest", "best"])
+def test_a_simulated_block_of_the_network_has_the_errors_of_the_table(assignment):
+    data = PLAIN | {"assignment": assignment, "velocities": [["1/10", "1/5"]], "alpha": "1/5"}
+    without = {name: value for name, value in data.items() if name != "alpha"}
+    critical = network_step_limit(read_inputs(LIMITED, without).values).more["critical"]().data
+    values = read_inputs(MEAN_SQUARE, critical["params"] | {"alpha": "1/5"}).values
+    found = confirm_mean_square(values, width=0.05, seed=11)
+    own = ask(**data).more["sensors"]().data[critical["sensor"]]
+    block = own["blocks"][critical["block"]]
+    assert found.interval.holds(sum(own["rms"][i] ** 2 for i in block))
 
 
 def test_a_step_beyond_the_limit_names_the_sensor():
