@@ -31,6 +31,7 @@ LONGEST = 400
 GROWS = "the second moments grow at this step"
 MEAN_GROWS = "the mean itself grows at this step: alpha times the largest eigenvalue of H is >= 2"
 SPREADS = "the mean settles, but the second moments grow at this step"
+NO_FILE = "proved without a file: certificates are for Gaussian noise and up to 12 coordinates"
 NO_WORD = "floating point does not tell whether this step is stable: it is too close to the limit"
 
 
@@ -101,7 +102,8 @@ def stationary_mse(values: Mapping[str, Any], certified: bool = True) -> Answer:
             return Answer(value="inf", verdict="PROVED", notes=(GROWS,), certificate=document)
         settling = Settling(block, law)
         document = settled(settling, moments) if certified else None
-        return mean_square_answer(mean_square(settling, moments), document)
+        notes = (NO_FILE,) if certified and document is None else ()
+        return mean_square_answer(mean_square(settling, moments), document, notes)
 
 
 def mean_settles(block: Block, alpha: Fraction) -> bool:
@@ -135,19 +137,21 @@ def is_stable(moments: Moments) -> bool | None:
         return None
 
 
-def mean_square_answer(found: Any, document: Document | None = None) -> Answer:
+def mean_square_answer(
+    found: Any, document: Document | None = None, notes: tuple[str, ...] = ()
+) -> Answer:
     """A mean square, exact or in a ball, as an answer; bounds are those of its certificate."""
     import flint
 
     if not isinstance(found, flint.fmpq):
-        return single(enclosure(*ends(found)))
+        return single(enclosure(*ends(found)), notes)
     exact = Fraction(int(found.p), int(found.q))
     data = {"kind": "rational", "value": text(exact)} if _short((exact,)) else None
     low, high = exact, exact
     if document is not None:
-        low, high = (Fraction(document[end]) for end in ("lower", "upper"))
+        low, high = (max(Fraction(document[end]), Fraction(0)) for end in ("lower", "upper"))
     bounds = replace(enclosure(low, high), value=nearest(exact))
-    return single(bounds, exact=data, certificate=document)
+    return single(bounds, notes, exact=data, certificate=document)
 
 
 def _short(numbers: tuple[Fraction, ...]) -> bool:

@@ -1,5 +1,6 @@
 """Stationary moments: the algorithm itself, linear systems, closed forms, published numbers."""
 
+import json
 from fractions import Fraction
 from math import sqrt
 
@@ -10,6 +11,8 @@ from hypothesis import strategies as st
 
 from sensortrack.errors import InputError
 from tests.verification.systems.cyclic_spsa.literal import settled
+from verification.certificates import check
+from verification.certificates.make import statements
 from verification.inputs import read_inputs
 from verification.systems.cyclic_spsa.bounds import corrected_bound, printed_bound
 from verification.systems.cyclic_spsa.stability import step_limit
@@ -33,7 +36,7 @@ def _text(x):
 
 
 def mse(**given_):
-    return stationary_mse(question(**given_)).value
+    return stationary_mse(question(**given_), certified=False).value
 
 
 FULL = [["2", "0.5"], ["0.5", "1"]]
@@ -166,7 +169,8 @@ def diagonal_blocks(draw):
 @given(diagonal_blocks())
 def test_diagonal_hessians_have_the_closed_form(block):
     given_, instants = block
-    found = stationary_mse(question(**given_, reading={1: "one", 2: "two"}[instants]))
+    values = question(**given_, reading={1: "one", 2: "two"}[instants])
+    found = stationary_mse(values, certified=False)
     data = {"xi" if name == "Xi" else name: x for name, x in given_.items()}
     wanted = closed_form(**data, instants=instants)
     assert found.value == float(wanted)
@@ -266,6 +270,41 @@ def test_law_of_the_noise_matters_with_two_instants_only():
     assert mse(**given_) > mse(**given_, law="two_point")
     one = {**given_, "reading": "one"}
     assert mse(**one) == mse(**one, law="two_point")
+
+
+@pytest.mark.parametrize("hessian", [FULL, [["2", "0"], ["0", "1"]]], ids=["full", "diagonal"])
+def test_certificate_bounds_the_exact_number_closely(hessian):
+    answer = stationary_mse(question(H=hessian, Xi=NOISE, **SHARED, k=2))
+    low, high = (Fraction(answer.certificate[end]) for end in ("lower", "upper"))
+    exact = Fraction(answer.exact["value"])
+    assert low < exact < high
+    assert high - low < exact / 10**18
+    assert answer.lower <= low <= high <= answer.upper
+    check.check_document(json.loads(json.dumps(answer.certificate)), statements())
+
+
+def test_certificate_of_other_bounds_is_refused():
+    document = stationary_mse(question(H=FULL, Xi=NOISE, **SHARED)).certificate
+    for end in ("lower", "upper"):
+        middle = (Fraction(document["lower"]) + Fraction(document["upper"])) / 2
+        moved = json.loads(json.dumps({**document, end: str(middle)}))
+        with pytest.raises(check.Reject):
+            check.check_document(moved, statements())
+
+
+def test_infinite_error_has_a_certificate():
+    document = stationary_mse(question(H=FULL, Xi=NOISE, **{**SHARED, "alpha": 1})).certificate
+    assert (document["case"], document["lower"]) == ("INFINITE", "inf")
+    check.check_document(json.loads(json.dumps(document)), statements())
+
+
+@pytest.mark.parametrize(
+    "more", [{"law": "two_point"}, {"H": np.eye(13, dtype=int).tolist(), "Xi": 1, "eta": 1}]
+)
+def test_what_has_no_certificate_says_so(more):
+    answer = stationary_mse(question(**{"H": FULL, "Xi": NOISE, **SHARED, "alpha": "0.01", **more}))
+    assert answer.certificate is None
+    assert "without a file" in answer.notes[0]
 
 
 def test_simulated_error_brackets_the_exact_one():
