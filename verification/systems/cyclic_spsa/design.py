@@ -232,6 +232,9 @@ ANY_HESSIAN = tuple(
     Input(entry.name, entry.kind, f"{entry.meaning}; the identity if left out", optional=True)
     for entry in HESSIAN
 )
+NOISE_AND_DRIFT = tuple(
+    Input(entry.name, entry.kind, entry.meaning, entry.unit) for entry in (NOISE, DRIFT)
+)
 DESIGNS = (
     Design(
         "step for a block",
@@ -242,7 +245,7 @@ DESIGNS = (
     Design(
         "step, perturbation and reading",
         "alpha, beta, and one or two instants, from noise and drift",
-        (*ANY_HESSIAN, NOISE, DRIFT, BLOCKS, LAW),
+        (*ANY_HESSIAN, *NOISE_AND_DRIFT, BLOCKS, LAW),
         step_and_perturbation,
     ),
     Design(

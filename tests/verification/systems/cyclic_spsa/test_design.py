@@ -102,3 +102,10 @@ def test_bad_input_names_what_is_wrong(given, name):
     with pytest.raises(InputError) as caught:
         choose(**given)
     assert caught.value.name == name
+
+
+@pytest.mark.parametrize("given", [{}, {"Xi": 1}, {"h": [1], "beta": 1, "m_max": 1}])
+def test_without_enough_inputs_the_choices_are_listed(given):
+    with pytest.raises(InputError) as caught:
+        choose(**given)
+    assert all(design.summary in caught.value.cure for design in DESIGNS)
