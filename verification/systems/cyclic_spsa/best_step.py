@@ -32,7 +32,8 @@ STILL = "without drift the error is the smaller, the smaller the step is: no ste
 ONLY = "the only minimum: the derivative changes its sign once"
 THERE = "the error is that at the step's value"
 UNREACHED = "the sign of the derivative could not be told on both sides of {}"
-HALVINGS = 100
+HALVINGS, SMALLEST = 100, 1e-290
+"""Steps of the search, and the smallest part of the largest step that it looks at."""
 Sides = tuple[Fraction, Fraction]
 WIDTHS = tuple(Fraction(4**k, 2**52) for k in range(8))
 """Relative half-widths that are tried for the bounds on the step."""
@@ -99,6 +100,8 @@ def _root(settling: Settling) -> Fraction:
 
     low, high = 0.5, 1.0
     while value(low) > 0:
+        if low < SMALLEST:
+            return unit * Fraction(low)
         low, high = low / 16, low
     for _ in range(HALVINGS):
         if high <= 2 * low and not math.isinf(value(high)):

@@ -103,6 +103,15 @@ def test_units_scale_the_best_step_and_its_error():
     assert far == pytest.approx([alpha * 1e-40, error * 1e40], rel=1e-13)
 
 
+def test_drifts_far_below_the_noise_have_a_step_or_no_word():
+    given_ = {"h": [1, 1], "beta": 1, "Xi": 1}
+    tiny = best(**given_, eta=["1e-200", 0])[0]
+    rule = (8 * 4 / (4 * 1.5)) ** (1 / 3)
+    assert tiny * 1e133 == pytest.approx(rule * 10 ** (-1 / 3), rel=1e-10)
+    far = {**given_, "Xi": "1e380", "beta": "1e190", "eta": ["1e-390", 0]}
+    assert best_step(question(far)).verdict == "UNDECIDED"
+
+
 def test_bounds_are_close():
     answer = best_step(question(BASE))
     certified = next(note for note in answer.notes if note.startswith("certified"))
