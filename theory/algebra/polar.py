@@ -147,29 +147,28 @@ def covariance() -> tuple[Identity, ...]:
     -------
     tuple of Identity
         Letters ``u v e n``, ``J`` (derivative of the position), ``X`` (covariance to first order),
-        ``Y`` (the printed one), ``Q`` (the matrix [sin, -cos; cos, sin]); scalars ``rho S C``, ``f
-        k`` (standard deviations of the angle and of the relative distance).
+        ``Y`` (the printed one), ``Q`` (the matrix [sin, -cos; cos, sin], which is [e, -n]); scalars
+        ``rho``, ``f k`` (standard deviations of the angle and of the relative distance).
     """
     j, x, y, q = letters("J X Y Q", ("X", "Y"))
     f, k = scalars("f k")
     across, along = RHO * RHO * f * f, RHO * RHO * k * k
     uu, vv = U * U.T, V * V.T
     relations = (
-        *AXES,
-        E - SIN * U - COS * V,
-        N - COS * U + SIN * V,
+        *AXES[:3],
+        *FRAME[:3],
         j - RHO * (N * U.T) - E * V.T,
         x - j * (f * f * uu + along * vv) * j.T,
         q - E * U.T + N * V.T,
         y - q * (across * uu + along * vv) * q.T,
     )
-    words = (*AXES_WORDS, "e", "n", "J", "X", "Q", "Y")
+    words = (*AXES_WORDS[:3], *FRAME_WORDS[:3], "J", "X", "Q", "Y")
     goals = {
         "X = Q diag((rho k)^2, (rho f)^2) Q'": x - q * (along * uu + across * vv) * q.T,
         "along the line of sight X is (rho k)^2": E.T * x * E - along,
         "the printed one is (rho f)^2 there": E.T * y * E - across,
-        "both have the same trace": U.T * x * U + V.T * x * V - across - along,
-        "which is the printed one": U.T * y * U + V.T * y * V - across - along,
+        "both have the same trace": E.T * x * E + N.T * x * N - across - along,
+        "which is the printed one": E.T * y * E + N.T * y * N - across - along,
     }
     return _family(relations, words, goals)
 

@@ -232,10 +232,23 @@ def chosen():
     return gains_for_decay(wish).certificate
 
 
+@functools.cache
+def files_of(system, claim):
+    """Certificates of the decision on one claim."""
+    decisions = importlib.import_module(f"verification.systems.{system}.claims").DECISIONS
+    return [*decisions[claim]().certificates.values()]
+
+
 def decided(name):
-    """Certificates of a statement in the decision on the claim whose name it begins with."""
+    """Certificates of a statement in the decision on the claim whose name it begins with.
+
+    Those that several claims share are named after none of them and are looked for in all.
+    """
     system = name.split(".", maxsplit=1)[0]
     decisions = importlib.import_module(f"verification.systems.{system}.claims").DECISIONS
-    claims = sorted((claim for claim in decisions if name.startswith(claim)), key=len)
-    made = decisions[claims[-1]]().certificates.values() if claims else []
-    return [entry for entry in made if f"{entry['system']}.{entry['name']}" == name]
+    named = sorted((claim for claim in decisions if name.startswith(claim)), key=len, reverse=True)
+    for claim in [*named, *decisions]:
+        made = [d for d in files_of(system, claim) if f"{d['system']}.{d['name']}" == name]
+        if made:
+            return made
+    return []

@@ -70,16 +70,18 @@ SIGHTS: tuple[Universal, ...] = (
     ),
     Universal(
         "eq_14_axes_repair",
-        "for the derivative J = [rho n, e] of the position by angle and distance and deviations f "
-        "of the angle, rho k of the distance: the covariance to first order, J diag(f^2, (rho "
-        "k)^2) J', is Q diag((rho k)^2, (rho f)^2) Q' with Q = [e, -n]; along the line of sight e "
-        "it is (rho k)^2, and Q diag((rho f)^2, (rho k)^2) Q' is (rho f)^2 there",
+        "for orthonormal e, n, the derivative J = [rho n, e] of the position by angle and "
+        "distance (axes u, v) and deviations f of the angle, rho k of the distance: the "
+        "covariance to first order, J diag(f^2, (rho k)^2) J', is Q diag((rho k)^2, (rho f)^2) Q'"
+        " with Q = [e, -n]; along the line of sight e it is (rho k)^2, and Q diag((rho f)^2, (rho"
+        " k)^2) Q' is (rho f)^2 there",
         (_SHAPE, _RADIAL, _PRINTED_RADIAL),
         PLANE,
     ),
     Universal(
         "eq_14_trace",
-        "for the derivative J = [rho n, e] and deviations f of the angle, rho k of the distance: "
+        "for orthonormal e, n, the derivative J = [rho n, e] of the position by angle and distance "
+        "(axes u, v) and deviations f of the angle, rho k of the distance: "
         "the trace of J diag(f^2, (rho k)^2) J' is (rho f)^2 + (rho k)^2, and so is that of the "
         "matrix with the two swapped",
         (_TRACE, _PRINTED_TRACE),
