@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sensortrack.arguments import numbers, real
 from sensortrack.errors import InputError
 
 Floats = NDArray[np.float64]
@@ -118,13 +119,14 @@ def from_sources(
 
 
 def _in_range(view: PolarView, what: str) -> None:
-    if abs(view.angle) > WIDEST:
+    position = numbers("position", view.position, "two numbers are needed")
+    if abs(real("angle", view.angle)) > WIDEST:
         cure = "An angle in degrees is divided by 180 and multiplied by pi."
         needed = "rad within a full turn are needed"
         raise InputError("angle", f"{view.angle} rad of {what}", needed, cure)
-    if view.distance < 0:
+    if real("distance", view.distance) < 0:
         found = f"{view.distance} m of {what}"
         raise InputError("distance", found, "a number of 0 or more is needed")
-    if np.shape(view.position) != (2,):
-        found = f"an array of shape {np.shape(view.position)} of {what}"
+    if position.shape != (2,):
+        found = f"an array of shape {position.shape} of {what}"
         raise InputError("position", found, "two numbers are needed")

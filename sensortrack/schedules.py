@@ -13,13 +13,16 @@ measurements of different blocks; these do not.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sensortrack.arguments import numbers, real
 from sensortrack.errors import InputError
+from sensortrack.random_numbers import whole
 
 
 @dataclass(frozen=True)
@@ -53,15 +56,18 @@ class Schedule:
     Raises
     ------
     InputError
-        With the name ``blocks``: there is none, one is empty, or a target is in two places, so that
-        its coordinates would be split; ``sources``: a target has none, or it is in no block.
+        With the name ``blocks``: there is none, one is empty or a text, or a target is in two
+        places, so that its coordinates would be split; ``sources``: a target has none, or it is in
+        no block.
     """
 
     blocks: Sequence[Sequence[str]]
     sources: Mapping[str, str]
 
     def __post_init__(self) -> None:
-        blocks = tuple(map(tuple, self.blocks))
+        blocks = tuple(_names(block) for block in _names(self.blocks))
+        if not isinstance(self.sources, Mapping):
+            raise InputError("sources", f"{self.sources!r:.60}", "target to sensor is needed")
         if not blocks or not all(blocks):
             found = "an empty block" if blocks else "no block"
             needed = "blocks of one target or more are needed: the sensor has to see some"
@@ -101,11 +107,9 @@ class Schedule:
         Raises
         ------
         InputError
-            With the name ``t``: it is below 1.
+            With the name ``t``: it is no whole number from 1 on.
         """
-        if t < 1:
-            raise InputError("t", f"{t}", "a sample from 1 on is needed")
-        cycle, inside = divmod(t - 1, self.period)
+        cycle, inside = divmod(whole("t", t, 1) - 1, self.period)
         return Turn(cycle + 1, inside // 2 + 1, bool(inside % 2))
 
 
@@ -140,11 +144,15 @@ def nearest_schedules(
     Raises
     ------
     InputError
-        A number is out of its range; a position has not two finite numbers; no sensor sees a
-        target; a sensor and its neighbours see none.
+        A number is out of its range; a position has not two finite numbers; there is no target, or
+        no sensor sees one; a sensor and its neighbours see none.
     """
-    _counts(n_max, m_max, reach)
-    places = {name: _path("sensors", name, place)[0] for name, place in sensors.items()}
+    n_max, m_max = whole("n_max", n_max), whole("m_max", m_max, 1)
+    if not real("reach", reach) > 0:
+        raise InputError("reach", f"{reach}", "a number above 0 is needed")
+    if not targets:
+        raise InputError("targets", "no target", "one or more are needed")
+    places = {name: _place(name, place) for name, place in sensors.items()}
     paths = {name: _path("targets", name, path) for name, path in targets.items()}
     away = {
         target: {name: _farthest(path, place) for name, place in places.items()}
@@ -195,24 +203,32 @@ def shares(
             missing = f"none of {target} from {source}"
             raise InputError("variances", missing, "one of every source is needed")
         for sensor, value in known.items():
-            if not (math.isfinite(value) and value > 0):
+            if not (math.isfinite(real("variances", value)) and value > 0):
                 wrong = f"{value} of {target} from {sensor}"
                 raise InputError("variances", wrong, "finite numbers above 0 are needed")
-        found[target] = 1 / (known[source] * sum(1 / value for value in known.values()))
+        # ratios, as the inverse of a tiny variance is infinite
+        found[target] = 1 / sum(known[source] / value for value in known.values())
     return found
 
 
-def _counts(n_max: int, m_max: int, reach: float) -> None:
-    if not n_max >= 0 or n_max % 1:
-        raise InputError("n_max", f"{n_max}", "a whole number of 0 or more is needed")
-    if not m_max >= 1 or m_max % 1:
-        raise InputError("m_max", f"{m_max}", "a whole number of 1 or more is needed")
-    if not reach > 0:
-        raise InputError("reach", f"{reach}", "a number above 0 is needed")
+def _names(value: object) -> tuple[Any, ...]:
+    """A list as a tuple; a text would fall apart into its letters."""
+    if isinstance(value, str) or not isinstance(value, Iterable):
+        needed = "lists of names are needed: [['a', 'b'], ['c']]"
+        raise InputError("blocks", f"{value!r:.60}", needed)
+    return tuple(value)
+
+
+def _place(name: str, value: ArrayLike) -> np.ndarray:
+    path = _path("sensors", name, value)
+    if len(path) > 1:
+        raise InputError("sensors", f"{len(path)} places of {name}", "sensors at rest are needed")
+    found: np.ndarray = path[0]
+    return found
 
 
 def _path(kind: str, name: str, value: ArrayLike) -> np.ndarray:
-    path = np.atleast_2d(np.asarray(value, dtype=float))
+    path = np.atleast_2d(numbers(kind, value, "two finite numbers are needed"))
     if path.shape[1:] != (2,) or not len(path) or not np.isfinite(path).all():
         raise InputError(kind, f"{value!r:.60} of {name}", "two finite numbers are needed")
     return path

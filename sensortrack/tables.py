@@ -16,6 +16,8 @@ Vector = tuple[float, float, float]
 """Three numbers."""
 Pair = tuple[str, str]
 """Two names."""
+LEFT_OUT = (float, int, str)
+"""What a key may be whose default is None, which says that it is left out."""
 
 
 def read_table(cls: type[T], data: object, where: str) -> T:
@@ -25,7 +27,7 @@ def read_table(cls: type[T], data: object, where: str) -> T:
     ----------
     cls : type
         A frozen dataclass whose fields are the keys, annotated ``float``, ``int``, ``str``,
-        ``bool``, `Vector`, `Pair`, or tuples of str or of `Pair`.
+        ``bool``, `Vector`, `Pair`, tuples of str or of `Pair`, or one of `LEFT_OUT` or None.
     data : object
         What the file holds at this place.
     where : str
@@ -55,6 +57,7 @@ def read_table(cls: type[T], data: object, where: str) -> T:
 
 
 def _typed(hint: Any, value: Any, where: str) -> Any:
+    hint = next((kind for kind in LEFT_OUT if hint == kind | None), hint)
     if hint is float:
         return _number(value, where)
     if hint == Vector:

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sensortrack.arguments import numbers
 from sensortrack.consensus import ConsensusState, IsotropicState, LinearState, StepStatus
 from sensortrack.errors import InputError
 
@@ -79,9 +80,10 @@ def pair(name: str, value: ArrayLike) -> Floats:
     InputError
         With this name, if they are not.
     """
-    found = np.array(value, dtype=float)
+    needed = "two finite numbers are needed"
+    found = numbers(name, value, needed)
     if found.shape != (2,) or not np.isfinite(found).all():
-        raise InputError(name, f"{value!r:.60}", "two finite numbers are needed")
+        raise InputError(name, f"{value!r:.60}", needed)
     return found
 
 

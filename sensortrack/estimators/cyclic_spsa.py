@@ -20,6 +20,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sensortrack.arguments import positive, real
 from sensortrack.errors import InputError
 from sensortrack.generated import cyclic_spsa as generated
 from sensortrack.polar import PolarView, from_sources
@@ -80,19 +81,18 @@ class CyclicSpsa:
     contexts: tuple[tuple[float, ...], ...] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        for name in ("alpha", "beta"):
-            if not (math.isfinite(getattr(self, name)) and getattr(self, name) > 0):
-                raise InputError(name, f"{getattr(self, name)}", "a number above 0 is needed")
+        if not isinstance(self.schedule, Schedule):
+            raise InputError("schedule", f"{self.schedule!r:.60}", "a Schedule is needed")
+        rest = tuple(positive(name, getattr(self, name)) for name in ("alpha", "beta"))
         if self.reading not in READINGS:
             needed = f"one of {', '.join(READINGS)} is needed"
             raise InputError("reading", repr(self.reading), needed)
-        if not 0 <= self.sigma_bearing < math.pi:
-            needed = "a number of 0 or more, below pi, is needed"
+        needed = "a number of 0 or more, below pi, is needed"
+        if not 0 <= real("sigma_bearing", self.sigma_bearing, needed) < math.pi:
             raise InputError("sigma_bearing", f"{self.sigma_bearing}", needed)
         for name in ("seed", "number"):
             object.__setattr__(self, name, whole(name, getattr(self, name)))
         weights = _weights(self.weights, self.targets)
-        rest = (float(self.alpha), float(self.beta))
         contexts = tuple((h, 0.0, h, *rest) for h in weights.values())
         object.__setattr__(self, "weights", weights)
         object.__setattr__(self, "contexts", contexts)
@@ -119,7 +119,13 @@ class CyclicSpsa:
         -------
         array (m, 2)
             Entries +1 or -1.
+
+        Raises
+        ------
+        InputError
+            With the name ``cycle``: it is no whole number from 1 on.
         """
+        cycle = whole("cycle", cycle, 1)
         key = self.seed, STREAMS["perturbation"]
         drawn = signs((0, cycle, self.number, 0), key, 2 * len(self.targets))
         return np.array(drawn, dtype=float).reshape(-1, 2)
@@ -184,11 +190,16 @@ class CyclicSpsa:
         InputError
             With the name ``t``: samples are out of order; ``measurement``: one is of another
             sample, of an unknown target, or comes twice; ``angle``: it is beyond a full turn, so
-            in degrees; ``distance``: it is negative; ``position``: it has not two numbers.
+            in degrees; ``distance``: it is negative; ``position``: it has not two numbers;
+            ``state``: it is of another number of targets.
         """
+        t = whole("t", t, 1)
         if t != state.time + 1:
             needed = f"sample {state.time + 1} is needed, each one once and in order"
             raise InputError("t", f"{t}", needed)
+        if state.positions.shape != (len(self.targets), 2):
+            needed = f"one of {len(self.targets)} targets is needed"
+            raise InputError("state", f"one of {len(state.positions)} targets", needed)
         turn = self.schedule.turn(t)
         seen = from_sources(views, self.schedule.sources, t)
         if turn.second:
@@ -258,6 +269,8 @@ class CyclicSpsa:
 
 def _weights(given: Mapping[str, float], targets: Sequence[str]) -> dict[str, float]:
     """Weights in the order of the targets."""
+    if not isinstance(given, Mapping):
+        raise InputError("weights", f"{given!r:.60}", "a mapping of targets to numbers is needed")
     for target in given:
         if target not in targets:
             found = f"target {target} is in no block"
@@ -265,7 +278,8 @@ def _weights(given: Mapping[str, float], targets: Sequence[str]) -> dict[str, fl
     for target in targets:
         if target not in given:
             raise InputError("weights", f"none of target {target}", "one a target is needed")
-        if not (math.isfinite(given[target]) and given[target] > 0):
+        weight = real("weights", given[target])
+        if not (math.isfinite(weight) and weight > 0):
             found = f"{given[target]} of target {target}"
             raise InputError("weights", found, "numbers above 0 are needed")
     return {target: float(given[target]) for target in targets}

@@ -11,8 +11,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from sensortrack.arguments import numbers, positive
 from sensortrack.errors import InputError
 
 from .kalman import constant_velocity
@@ -60,10 +61,9 @@ class PositionKalman:
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
-            if not (np.isfinite(value) and value > 0):
-                raise InputError(name, f"{value}", "a number above 0 is needed")
+            positive(name, value)
 
-    def init(self, position: Floats, noise: Floats) -> PositionKalmanState:
+    def init(self, position: ArrayLike, noise: ArrayLike) -> PositionKalmanState:
         """Start from measured positions.
 
         Parameters
@@ -72,7 +72,13 @@ class PositionKalman:
             In m; NaN where nothing is known yet, which starts with the first measurement.
         noise : array (..., 2, 2)
             Covariance in m^2.
+
+        Raises
+        ------
+        InputError
+            With the name ``position`` or ``noise``: a shape does not fit.
         """
+        position, noise = _fitting(position, noise)
         mean = np.concatenate([position, np.where(np.isnan(position), np.nan, 0.0)], axis=-1)
         covariance = np.zeros((*position.shape[:-1], 4, 4))
         covariance[..., :2, :2] = noise
@@ -80,7 +86,7 @@ class PositionKalman:
         return PositionKalmanState(mean, covariance)
 
     def step(
-        self, state: PositionKalmanState, position: Floats, noise: Floats
+        self, state: PositionKalmanState, position: ArrayLike, noise: ArrayLike
     ) -> PositionKalmanState:
         """Predict, and correct where there is a measurement (Joseph form).
 
@@ -91,7 +97,13 @@ class PositionKalman:
             In m; NaN where there is none.
         noise : array (..., 2, 2)
             Covariance in m^2.
+
+        Raises
+        ------
+        InputError
+            As `init`.
         """
+        position, noise = _fitting(position, noise)
         move, spread = (
             np.kron(part, np.eye(2)) for part in constant_velocity(self.h, self.acceleration)
         )
@@ -115,3 +127,13 @@ class PositionKalman:
             np.where(fresh[..., None], first.mean, mean),
             np.where(fresh[..., None, None], first.covariance, covariance),
         )
+
+
+def _fitting(position: ArrayLike, noise: ArrayLike) -> tuple[Floats, Floats]:
+    place, spread = numbers("position", position), numbers("noise", noise)
+    if place.shape[-1:] != (2,):
+        raise InputError("position", f"an array of shape {place.shape}", "(..., 2) is needed")
+    if spread.shape != (*place.shape, 2):
+        needed = f"{(*place.shape, 2)} is needed"
+        raise InputError("noise", f"an array of shape {spread.shape}", needed)
+    return place, spread

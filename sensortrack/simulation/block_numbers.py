@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sensortrack.arguments import numbers
 from sensortrack.errors import InputError
 
 Floats = NDArray[np.float64]
@@ -20,8 +21,9 @@ def hessian_of(value: ArrayLike) -> Floats:
     InputError
         With the name ``h`` or ``H``: it has another shape, or is not symmetric positive definite.
     """
-    found = np.array(value, dtype=float)
-    name = "h" if found.ndim < 2 else "H"
+    rows = np.atleast_1d(np.asarray(value, dtype=object))
+    name = "H" if any(map(np.ndim, rows)) else "h"
+    found = numbers(name, value)
     if found.ndim not in (1, 2) or not found.size or found.shape != found.shape[:1] * found.ndim:
         raise InputError(name, f"an array of shape {found.shape}", "a list or D x D is needed")
     if not np.isfinite(found).all():
@@ -43,7 +45,7 @@ def covariance_root(value: ArrayLike, size: int) -> Floats:
     InputError
         With the name ``Xi``: it does not fit the size, or is not symmetric positive semidefinite.
     """
-    found = np.array(value, dtype=float)
+    found = numbers("Xi", value)
     if found.ndim == 0:
         found = np.diag(np.full(size, float(found)))
     if found.shape != (size, size):
@@ -68,7 +70,7 @@ def drift_of(value: ArrayLike, size: int) -> Floats:
     InputError
         With the name ``eta``: it does not fit the size, or is not finite.
     """
-    found = np.array(value, dtype=float)
+    found = numbers("eta", value)
     found = np.full(size, float(found)) if found.ndim == 0 else found
     if found.shape != (size,) or not np.isfinite(found).all():
         raise InputError("eta", f"{value!r:.60}", f"a number or {size} finite ones are needed")
@@ -83,7 +85,7 @@ def start_of(value: ArrayLike, runs: int, size: int) -> Floats:
     InputError
         With the name ``start``: it does not fit, or is not finite.
     """
-    found = np.asarray(value, dtype=float)
+    found = numbers("start", value)
     if found.shape not in ((), (size,), (runs, size)) or not np.isfinite(found).all():
         needed = f"a number, {size} or {runs} x {size} finite ones are needed"
         raise InputError("start", f"an array of shape {found.shape}", needed)

@@ -16,6 +16,8 @@ Floats = NDArray[np.float64]
 KINDS = ("none", "gaussian")
 LARGEST_BEARING_DEG = 60.0
 """Above it an angle tells less than nothing; a value in other units is likelier."""
+LARGEST_SHARE = 0.125
+"""Below it a measured distance is positive, but for one draw in 10^15."""
 
 
 @dataclass(frozen=True)
@@ -70,8 +72,9 @@ def check_noise(noise: NoisePart) -> None:
     good = 0 <= noise.bearing_deg <= LARGEST_BEARING_DEG
     need(good, "noise.bearing_deg", f"{noise.bearing_deg}", needed)
     relative = f"{noise.range_relative}"
-    needed = "a share of the distance, 0 or more and below 1, is needed: 0.05 for 5 percent"
-    need(0 <= noise.range_relative < 1, "noise.range_relative", relative, needed)
+    needed = f"a share of the distance, 0 to {LARGEST_SHARE:g}, is needed: 0.05 for 5 percent"
+    good = 0 <= noise.range_relative <= LARGEST_SHARE
+    need(good, "noise.range_relative", relative, needed)
     quiet = noise.kind == "none" and (noise.bearing_deg > 0 or noise.range_relative > 0)
     need(not quiet, "noise.kind", "none beside sizes above 0", "gaussian is needed")
 

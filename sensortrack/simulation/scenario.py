@@ -171,9 +171,14 @@ def _check(scenario: Scenario, system: Simulated) -> None:
     names = [sensor.name for sensor in scenario.sensors]
     need(bool(names), "sensor", "no sensor", "one or more [[sensor]] are needed")
     for name in names:
+        need(name != "", "sensor.name", "an empty text", "a name is needed")
         need(names.count(name) == 1, "sensor.name", f"{name} twice", "one each is needed")
     _ = scenario.weights
     need(header.duration_s > 0, "scenario.duration_s", f"{header.duration_s}", "above 0 is needed")
+    since, needed = header.summary_from_s, f"0 to {header.duration_s:g} s, the end, is needed"
+    need(0 <= since <= header.duration_s, "scenario.summary_from_s", f"{since} s", needed)
+    noise = header.kalman_acceleration
+    need(noise > 0, "scenario.kalman_acceleration", f"{noise}", "a number above 0 is needed")
     need(estimator.h_s > 0, "estimator.h_s", f"{estimator.h_s}", "a step above 0 s is needed")
     count = header.duration_s / estimator.h_s
     need(1 <= count <= SAMPLES, "estimator.h_s", f"{count:.0f} samples", f"1 to {SAMPLES}")

@@ -149,6 +149,27 @@ def mean_square(pairs: Floats, axes: tuple[int, ...]) -> Floats:
     return np.sqrt(found)
 
 
+def until(places: Floats, truth: Floats, limit: float) -> tuple[Floats, int | None]:
+    """Estimates before the first sample at which the error passes a limit, and that sample.
+
+    Parameters
+    ----------
+    places : array (samples, sensors, targets, 2)
+        In m.
+    truth : array (samples, targets, 2)
+        In m.
+    limit : float
+        Of the root-mean-square error over sensors and targets, in m.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        over = mean_square(np.linalg.norm(places - truth[:, None], axis=-1), (1, 2)) > limit
+    if not over.any():
+        return places, None
+    first, kept = int(over.argmax()), places.copy()
+    kept[first:] = np.nan
+    return kept, first
+
+
 def _settled(time: Floats, level: Floats, limit: float) -> float | None:
     """First time at which the error is below a limit."""
     below = level < limit

@@ -48,6 +48,7 @@ def received(team: Team, seen: Measured) -> tuple[Floats, Floats]:
     return place, seen.covariance[:, sources, columns]
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def averaged(scenario: Scenario, team: Team, seen: Measured, start: Starts) -> Floats:
     """Gradient steps with consensus: at every sample each sensor descends, then averages.
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sensortrack.arguments import positive
 from sensortrack.errors import InputError
 from sensortrack.kernels.spsa import Recursion, Tally, advance
 from sensortrack.random_numbers import whole
@@ -25,7 +26,9 @@ Floats = NDArray[np.float64]
 READINGS = {"one": 1, "two": 2}
 LAWS = ("gaussian", "two_point")
 MOST = 2**40
-"""Runs, updates and the like; their products fit a word of a counter."""
+"""Of the numbers of a run and of a block; their products fit a word of a counter."""
+HELD = 2**28
+"""Numbers of one array, 2 GiB: more runs are made in parts, by `first_run`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,9 +132,7 @@ class SpsaBatch:
     recursion: Recursion = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        for name in ("alpha", "beta"):
-            if not (math.isfinite(getattr(self, name)) and getattr(self, name) > 0):
-                raise InputError(name, f"{getattr(self, name)}", "a number above 0 is needed")
+        alpha, beta = (positive(name, getattr(self, name)) for name in ("alpha", "beta"))
         for name, known in (("reading", (*READINGS,)), ("law", LAWS)):
             if getattr(self, name) not in known:
                 needed = f"one of {', '.join(known)} is needed"
@@ -143,8 +144,8 @@ class SpsaBatch:
             hessian,
             covariance_root(self.noise, size),
             drift_of(self.drift, size),
-            float(self.alpha),
-            float(self.beta),
+            alpha,
+            beta,
             READINGS[self.reading],
             blocks,
             self.law == "gaussian",
@@ -165,7 +166,7 @@ class SpsaBatch:
         Parameters
         ----------
         runs, updates : int
-            Of each, 1 or more.
+            Of each, 1 or more; at most 2^28 updates, and 2^28 coordinates of all runs.
         skip : int, optional
             Updates that are not counted, so that the start is forgotten.
         seed : int, optional
@@ -183,12 +184,12 @@ class SpsaBatch:
         InputError
             A number is out of its range, or the start does not fit.
         """
-        runs, updates = whole("runs", runs, 1, MOST), whole("updates", updates, 1, MOST)
+        size = self.recursion.size
+        runs, updates = whole("runs", runs, 1, HELD // size), whole("updates", updates, 1, HELD)
         first_run, skip = whole("first_run", first_run, 0, MOST), whole("skip", skip, 0, MOST)
         if skip >= updates:
             found = f"{skip} of {updates}"
             raise InputError("skip", found, "one update at least is needed that counts")
-        size = self.recursion.size
         tally = Tally(
             start_of(start, runs, size),
             np.zeros((runs, size)),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sensortrack.tables import Vector
 
@@ -45,11 +45,11 @@ class VariantPart:
     """Another setting that runs on the same data; what is left out is the estimator's."""
 
     name: str
-    alpha: float = 0.0
-    beta_m: float = 0.0
-    reading: str = ""
-    n_max: int = -1
-    m_max: int = 0
+    alpha: float | None = None
+    beta_m: float | None = None
+    reading: str | None = None
+    n_max: int | None = None
+    m_max: int | None = None
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Variant:
 
     name: str
     alpha: float
-    beta: float
+    beta_m: float
     reading: str
     n_max: int
     m_max: int
@@ -71,15 +71,7 @@ def variants(scenario: Scenario) -> tuple[Variant, ...]:
     limits = (part.n_max, part.m_max)
     base = Variant("cyclic_spsa", part.alpha, part.beta_m, part.reading, *limits)
     listed = tuple(
-        Variant(
-            entry.name,
-            entry.alpha or base.alpha,
-            entry.beta_m or base.beta,
-            entry.reading or base.reading,
-            base.n_max if entry.n_max < 0 else entry.n_max,
-            entry.m_max or base.m_max,
-            "variant",
-        )
+        replace(base, table="variant", **{k: v for k, v in vars(entry).items() if v is not None})
         for entry in scenario.parts["variant"]
     )
     return listed or (base,)

@@ -91,7 +91,7 @@ def team_of(scenario: Scenario, variant: Variant, paths: Floats, seed: int) -> T
                 schedule=schedule,
                 weights={t: weights[q][t] for t, q in schedule.sources.items()},
                 alpha=variant.alpha,
-                beta=variant.beta,
+                beta=variant.beta_m,
                 reading=variant.reading,
                 seed=seed,
                 number=j,

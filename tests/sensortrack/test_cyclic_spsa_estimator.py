@@ -287,6 +287,14 @@ def test_a_target_starts_where_its_source_measured_it():
     [
         ({"alpha": 0.0}, "alpha"),
         ({"alpha": np.nan}, "alpha"),
+        ({"alpha": "0.1"}, "alpha"),
+        ({"alpha": 10**400}, "alpha"),
+        ({"beta": None}, "beta"),
+        ({"beta": 1j}, "beta"),
+        ({"schedule": [["p"]]}, "schedule"),
+        ({"sigma_bearing": "small"}, "sigma_bearing"),
+        ({"weights": None}, "weights"),
+        ({"weights": WEIGHTS | {"p": "heavy"}}, "weights"),
         ({"beta": 0.0}, "beta"),
         ({"beta": -1.0}, "beta"),
         ({"beta": np.inf}, "beta"),
@@ -326,6 +334,13 @@ GOOD = at("p", (0.0, 0.0))
         (0, [GOOD], "t"),
         (2, [GOOD], "t"),
         (1.5, [GOOD], "t"),
+        (1.0, [GOOD], "t"),
+        (np.nan, [GOOD], "t"),
+        (1, [replace(GOOD, angle=None)], "angle"),
+        (1, [replace(GOOD, angle=np.array([0.1, 0.2]))], "angle"),
+        (1, [replace(GOOD, distance="far")], "distance"),
+        (1, [replace(GOOD, position=("x", "y"))], "position"),
+        (1, [replace(GOOD, position=None)], "position"),
     ],
 )
 def test_bad_measurements_are_refused_by_name(t, views, name):
@@ -349,9 +364,33 @@ def test_degrees_are_named_as_the_cause():
         ([at("p", (0, 0)), at("q", (0, 0)), replace(at("r", (0, 0)), distance=np.nan)], None),
         ([], {"p": (0, 0), "q": (0, 0), "r": (0, np.nan)}),
         ([], START | {"x": (0, 0)}),
+        ([], START | {"p": ("a", "b")}),
+        ([], START | {"p": (1j, 0)}),
     ],
 )
 def test_a_start_needs_a_place_of_each_target(views, positions):
     with pytest.raises(InputError) as error:
         make().init(views, positions)
     assert error.value.name == "positions"
+
+
+def test_samples_may_be_counted_by_numpy():
+    estimator, views = make(), [GOOD]
+    start = estimator.init(positions=START)
+    one = estimator.step(np.int64(1), start, views)
+    assert type(one.time) is int
+    two = estimator.step(np.int64(2), one, views)
+    plain = estimator.step(2, estimator.step(1, start, views), views)
+    assert np.array_equal(two.flat, plain.flat, equal_nan=True)
+
+
+def test_a_state_of_other_targets_is_refused():
+    estimator, other = make(), CyclicSpsa(Schedule([["p"]], {"p": "a"}), {"p": 1.0}, 0.1, 1.0)
+    with pytest.raises(InputError, match="state: one of 1 targets; one of 3"):
+        estimator.step(1, other.init(positions={"p": (0.0, 0.0)}), [GOOD])
+
+
+@pytest.mark.parametrize("cycle", [0, -1, 1.0, 2**64])
+def test_cycles_count_from_one(cycle):
+    with pytest.raises(InputError, match="cycle"):
+        make().perturbation(cycle)

@@ -43,6 +43,11 @@ def test_targets_come_in_the_order_of_their_turns():
         ([["p", "p"]], {"p": "a"}, "blocks"),
         ([["p"]], {"p": "a", "q": "a"}, "blocks"),
         ([["p", "q"]], {"p": "a"}, "sources"),
+        ("pq", {"p": "a", "q": "a"}, "blocks"),
+        (["pq"], {"p": "a", "q": "a"}, "blocks"),
+        (None, {}, "blocks"),
+        ([5], {}, "blocks"),
+        ([["p"]], ["a"], "sources"),
     ],
 )
 def test_blocks_that_are_no_partition_into_whole_targets_are_refused(blocks, sources, name):
@@ -104,12 +109,18 @@ def test_what_is_out_of_reach_is_taken_from_a_neighbour_or_left_out():
     [
         ({"m_max": 0}, "m_max"),
         ({"m_max": 1.5}, "m_max"),
+        ({"m_max": 1.0}, "m_max"),
+        ({"n_max": "1"}, "n_max"),
+        ({"reach": "far"}, "reach"),
+        ({"sensors": {"a": [(0, 0), (1, 1)]}}, "sensors"),
+        ({"targets": {"p": "north"}}, "targets"),
+        ({"targets": {"p": [(1, 2), (3,)]}}, "targets"),
         ({"n_max": -1}, "n_max"),
         ({"reach": 0}, "reach"),
         ({"reach": np.nan}, "reach"),
         ({"reach": 3}, "targets"),
         ({"targets": {"p": (0, 1)}, "reach": 3}, "sensors"),
-        ({"targets": {}}, "sensors"),
+        ({"targets": {}}, "targets"),
         ({"sensors": {}}, "targets"),
         ({"sensors": {"a": (0, 0, 0)}}, "sensors"),
         ({"targets": {"p": (0, np.nan)}}, "targets"),
@@ -136,8 +147,26 @@ def test_shares_of_all_sensors_add_up_to_one():
 
 @pytest.mark.parametrize(
     "variances",
-    [{}, {"p": {"b": 1.0}}, {"p": {"a": 0.0}}, {"p": {"a": 1.0, "b": np.inf}}],
+    [
+        {},
+        {"p": {"b": 1.0}},
+        {"p": {"a": 0.0}},
+        {"p": {"a": 1.0, "b": np.inf}},
+        {"p": {"a": None}},
+    ],
 )
 def test_shares_need_a_variance_of_each_source(variances):
     with pytest.raises(InputError, match="variances"):
         shares(variances, {"p": "a"})
+
+
+@pytest.mark.parametrize("size", [1e-320, 1e-160, 1.0, 1e307])
+def test_shares_do_not_depend_on_the_unit_of_variance(size):
+    found = shares({"p": {"a": size, "b": size, "c": 2 * size}}, {"p": "c"})
+    assert found["p"] == pytest.approx(0.2, rel=1e-3)
+
+
+@pytest.mark.parametrize("t", [0, 1.0, np.nan, "1", None, True])
+def test_a_sample_is_a_whole_number(t):
+    with pytest.raises(InputError, match="t: "):
+        Schedule([["p"]], {"p": "a"}).turn(t)

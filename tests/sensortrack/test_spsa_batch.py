@@ -233,6 +233,14 @@ def test_isotropic_blocks_have_the_values_of_an_earlier_computation(numbers, err
         ({"noise": np.inf}, "Xi"),
         ({"drift": [1.0, 2.0, 3.0]}, "eta"),
         ({"drift": np.inf}, "eta"),
+        ({"drift": "north"}, "eta"),
+        ({"alpha": "a"}, "alpha"),
+        ({"beta": None}, "beta"),
+        ({"hessian": ["a"]}, "h"),
+        ({"hessian": [[1.0, 2.0], [3.0]]}, "H"),
+        ({"hessian": [[1j, 0], [0, 1]]}, "H"),
+        ({"noise": "x"}, "Xi"),
+        ({"reading": None}, "reading"),
     ],
 )
 def test_bad_blocks_are_refused_by_name(changes, name):
@@ -253,6 +261,9 @@ def test_bad_blocks_are_refused_by_name(changes, name):
         ({"first_run": -1}, "first_run"),
         ({"start": [1.0, 2.0, 3.0]}, "start"),
         ({"start": np.nan}, "start"),
+        ({"start": "here"}, "start"),
+        ({"runs": 2**40}, "runs"),
+        ({"updates": 2**40}, "updates"),
     ],
 )
 def test_bad_numbers_of_runs_are_refused_by_name(changes, name):

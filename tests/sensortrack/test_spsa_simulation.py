@@ -271,6 +271,40 @@ def test_a_filter_needs_positive_numbers(name):
 
 
 @pytest.mark.parametrize(
+    "position,noise,name",
+    [
+        (np.zeros(3), np.eye(2), "position"),
+        ("xy", np.eye(2), "position"),
+        (np.zeros(2), np.eye(3), "noise"),
+        (np.zeros((4, 2)), np.eye(2), "noise"),
+    ],
+)
+def test_a_filter_needs_shapes_that_fit(position, noise, name):
+    kalman = PositionKalman(1.0, 1.0, 1.0)
+    state = kalman.init((0.0, 0.0), np.eye(2))
+    for refused in (
+        lambda: kalman.init(position, noise),
+        lambda: kalman.step(state, position, noise),
+    ):
+        with pytest.raises(InputError) as error:
+            refused()
+        assert error.value.name == name
+
+
+def test_a_baseline_that_diverges_is_an_event_and_leaves_no_number():
+    changes = (("estimator", "alpha"), 5.0), (("estimator", "diverged_m"), 1e9)
+    run = ran(*changes, (("baselines",), ["gradient", "kalman"]))
+    rows = {row["estimate"]: row for row in run.summary}
+    assert rows["gradient"]["position_rms"] is None
+    assert rows["kalman"]["diverged"] is None
+    (event,) = [event for event in run.events if event.get("of") == "gradient"]
+    assert event["time"] == rows["gradient"]["diverged"]
+    before = run.errors("gradient")[0]
+    assert np.nanmax(before) <= 1e9
+    json.dumps(run.to_data(), allow_nan=False)
+
+
+@pytest.mark.parametrize(
     "path,value,name",
     [
         (("target",), [], "target"),
@@ -301,6 +335,19 @@ def test_a_filter_needs_positive_numbers(name):
         (("noise", "bearing_deg"), -1.0, "noise.bearing_deg"),
         (("noise", "bearing_deg"), 90.0, "noise.bearing_deg"),
         (("noise", "range_relative"), 5.0, "noise.range_relative"),
+        (("noise", "range_relative"), 0.3, "noise.range_relative"),
+        (("sensor", 0, "bias_position_m"), [1.0, 0.0, 0.0], "sensor.bias_position_m"),
+        (("sensor", 0, "name"), "", "sensor.name"),
+        (("sensor", 0, "position_m"), [1e300, 0.0, 0.0], "sensor.position_m"),
+        (("target", 0, "start_m"), [1e300, 0.0, 0.0], "target"),
+        (("summary_from_s",), 25.0, "scenario.summary_from_s"),
+        (("summary_from_s",), -1.0, "scenario.summary_from_s"),
+        (("kalman_acceleration",), 0.0, "scenario.kalman_acceleration"),
+        (("kalman_acceleration",), 1e300, "scenario.kalman_acceleration"),
+        (("estimator", "alpha"), 1e300, "estimator.alpha"),
+        (("estimator", "beta_m"), 1e300, "estimator.beta_m"),
+        (("estimator", "beta_m"), 1e-15, "estimator.beta_m"),
+        (("start", "low_m"), [-1e308, 0.0, 0.0], "start.low_m"),
         (("estimator", "alpha"), 0.0, "estimator.alpha"),
         (("estimator", "beta_m"), -1.0, "estimator.beta_m"),
         (("estimator", "reading"), "three", "estimator.reading"),
@@ -313,7 +360,13 @@ def test_a_filter_needs_positive_numbers(name):
         (("start", "high_m"), [0.0, 0.0, 0.0], "start.high_m"),
         (("variant",), [{"name": "x"}, {"name": "x"}], "variant.name"),
         (("variant",), [{"name": "kalman"}], "variant.name"),
+        (("variant",), [{"name": ""}], "variant.name"),
         (("variant",), [{"name": "x", "alpha": -1.0}], "variant.alpha"),
+        (("variant",), [{"name": "x", "alpha": 0.0}], "variant.alpha"),
+        (("variant",), [{"name": "x", "beta_m": 0.0}], "variant.beta_m"),
+        (("variant",), [{"name": "x", "n_max": -1}], "variant.n_max"),
+        (("variant",), [{"name": "x", "m_max": 0}], "variant.m_max"),
+        (("variant",), [{"name": "x", "alpha": "0.1"}], "variant.alpha"),
         (("variant",), [{"name": "x", "reading": "none"}], "variant.reading"),
         (("variant",), [{"name": "x", "m_max": -2}], "variant.m_max"),
         (("variant",), [{"name": "x", "step": 1.0}], "variant.step"),

@@ -9,17 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sensortrack.estimators.cyclic_spsa import READINGS
 from sensortrack.generated import cyclic_spsa as generated
 from sensortrack.simulation.parts import Scenario, need, one_of
 from sensortrack.simulation.placement import NetworkPart, PlacementPart, placed
-from sensortrack.simulation.ranging import Measured, NoisePart, check_noise, measured, moments
+from sensortrack.simulation.ranging import Measured, NoisePart, measured, moments
 from sensortrack.simulation.run import rounded
-from sensortrack.simulation.several import EXACT
+from sensortrack.simulation.several import EXACT, until
 from sensortrack.simulation.several_baselines import averaged, filtered
+from sensortrack.simulation.spsa_checks import check_scenario
 from sensortrack.simulation.spsa_following import Followed, Starts, follow, starts
 from sensortrack.simulation.spsa_settings import (
-    SCALES,
     EstimatorPart,
     StartPart,
     Variant,
@@ -76,37 +75,7 @@ def check(scenario: Scenario) -> None:
     InputError
         With the name of the key.
     """
-    for sensor in scenario.sensors:
-        moving = f"{sensor.name} moves"
-        need(not any(sensor.velocity_mps), "sensor.velocity_mps", moving, "sensors at rest")
-    check_noise(scenario.noise)
-    part = scenario.estimator
-    one_of("estimator.scale", part.scale, SCALES)
-    for key in ("reach_m", "diverged_m"):
-        value = getattr(part, key)
-        good = value > 0 or (value == 0 and key == "reach_m")
-        need(good, f"estimator.{key}", f"{value}", "a distance above 0 m is needed")
-    _check_start(scenario.parts.get("start"))
-    names = [variant.name for variant in scenario.parts["variant"]]
-    for name in names:
-        free = names.count(name) == 1 and name not in BASELINES
-        need(free, "variant.name", f"{name} twice", "names of their own are needed")
-    paths = scenario.target.at(_time(scenario))[0]
-    for variant in variants(scenario):
-        one_of(f"{variant.table}.reading", variant.reading, READINGS)
-        team_of(scenario, variant, paths[..., :2], scenario.header.seed)
-
-
-def _check_start(part: StartPart | None) -> None:
-    if part is not None:
-        good = all(low <= high for low, high in zip(part.low_m, part.high_m, strict=True))
-        found = f"{list(part.high_m)} beside {list(part.low_m)}"
-        need(good, "start.high_m", found, "numbers not below those of low_m are needed")
-
-
-def _time(scenario: Scenario) -> Floats:
-    count = round(scenario.header.duration_s / scenario.estimator.h_s) + 1
-    return np.asarray(scenario.estimator.h_s * np.arange(count, dtype=np.float64))
+    check_scenario(scenario, BASELINES)
 
 
 def run(scenario: Scenario, seed: int, time: Floats, target: tuple[Floats, Floats]) -> Found:
@@ -126,6 +95,12 @@ def run(scenario: Scenario, seed: int, time: Floats, target: tuple[Floats, Float
     followed = {
         name: follow(team, seen, time, truth, first[name], limit) for name, team in teams.items()
     }
+    others = {
+        name: until(place, truth, limit)
+        for name, place in _baselines(scenario, seen, next(iter(teams.values())), first).items()
+    }
+    ends = {name: found.diverged for name, found in followed.items()}
+    ends |= {name: end for name, (_, end) in others.items()}
     return Found(
         digest=generated.DIGEST,
         target=path,
@@ -137,13 +112,13 @@ def run(scenario: Scenario, seed: int, time: Floats, target: tuple[Floats, Float
             name: _placed(place)
             for name, place in {
                 **{name: found.positions for name, found in followed.items()},
-                **_baselines(scenario, seen, next(iter(teams.values())), first),
+                **{name: place for name, (place, _) in others.items()},
             }.items()
         },
         labels={name: LABELS.get(name, name) for name in [*teams, *BASELINES]},
         parameters=_parameters(scenario),
         notes=merged([note for found in followed.values() for note in found.notes]),
-        events=_diverged(followed, time, limit),
+        events=_diverged(ends, time, limit),
         extra={"spsa": _record(scenario, teams, followed)},
     )
 
@@ -184,17 +159,17 @@ def _placed(places: Floats) -> tuple[Floats, Floats]:
 
 
 def _diverged(
-    followed: Mapping[str, Followed], time: Floats, limit: float
+    ends: Mapping[str, int | None], time: Floats, limit: float
 ) -> tuple[dict[str, Any], ...]:
     return tuple(
         {
-            "time": float(time[found.diverged]),
+            "time": float(time[end]),
             "kind": "diverged",
             "of": name,
             "text": f"{LABELS.get(name, name)} has diverged: its error passes {limit:g} m",
         }
-        for name, found in followed.items()
-        if found.diverged is not None
+        for name, end in ends.items()
+        if end is not None
     )
 
 
@@ -226,7 +201,7 @@ def _record(
             {
                 "name": name,
                 "alpha": team.variant.alpha,
-                "beta": team.variant.beta,
+                "beta": team.variant.beta_m,
                 "reading": team.variant.reading,
                 "n_max": team.variant.n_max,
                 "m_max": team.variant.m_max,
