@@ -102,8 +102,16 @@ def predicates(made, known):
     return case.get("show")
 
 
+def believed(document, known):
+    """As `judged` says, without the way through a file: there are many pairs."""
+    try:
+        return bool(check.check_document(document, known))
+    except Exception:  # as the checker has it, whatever is raised proves nothing
+        return False
+
+
 @pytest.mark.parametrize("key", KEYS)
-def test_the_heading_of_another_statement_is_refused(key, samples, known, tmp_path):
+def test_the_heading_of_another_statement_is_refused(key, samples, known):
     """Name alone, name with digest, and everything but the witness.
 
     Two statements without data may have one derivation, like "the first hypothesis less the second
@@ -117,13 +125,12 @@ def test_the_heading_of_another_statement_is_refused(key, samples, known, tmp_pa
         names = {k: other[k] for k in heading[:2]}
         for fields in (names, {k: other[k] for k in heading[:3]}, {k: other[k] for k in heading}):
             forged = made | fields
-            entry, _ = judged(forged, tmp_path / "it.json", known)
             universal = not (
                 made["inputs"] or known[f"{other['system']}.{other['name']}"]["inputs"]
             )
             alike = universal or predicates(forged, known) == predicates(made, known)
             same = "digest" in fields and alike
-            assert not entry["valid"] or same, other["name"]
+            assert same or not believed(forged, known), other["name"]
 
 
 @pytest.mark.parametrize("key", KEYS)
