@@ -91,6 +91,8 @@ def test_the_witness_of_another_system_is_refused(key, samples, known, tmp_path)
     made = samples[key]
     others = [other for other in samples.values() if other["system"] != made["system"]]
     assert others
+    if not made["witness"]:  # any item is one too many: one witness of each composition is enough
+        others = [*{str([item["kind"] for item in d["witness"]]): d for d in others}.values()]
     for other in others:
         if made["witness"] != other["witness"]:
             forged = made | {"witness": other["witness"]}
