@@ -73,7 +73,7 @@ def setting_of(scenario, variant):
     along, across = moments(scenario.noise)
     return Setting(
         alpha=variant.alpha,
-        beta=variant.beta,
+        beta=variant.beta_m,
         instants=2 if variant.reading == "two" else 1,
         paths=paths,
         sensors=np.array([sensor.position_m[:2] for sensor in scenario.sensors]),
@@ -163,3 +163,11 @@ def test_what_cannot_be_simulated_is_refused_by_name(change, name):
     with pytest.raises(InputError) as error:
         confirm_mean_square(question(**{**BLOCK, **change}))
     assert error.value.name == name
+
+
+def test_intervals_hold_the_closed_form_as_often_as_they_say():
+    """Near the largest step that is simulated, where squares have their heaviest tail."""
+    values = question(h=["1"] * 6, Xi="1", beta="0.5", alpha="0.078", law="two_point")
+    assert 0.7 < float(values["alpha"]) / step_limit(values).value < 0.75
+    held = [confirm_mean_square(values, 0.2, seed, 0.9).holds for seed in range(60)]
+    assert sum(held) >= 60 * 0.9 - 4 * np.sqrt(60 * 0.9 * 0.1)
