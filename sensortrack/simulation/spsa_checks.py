@@ -17,6 +17,8 @@ from .spsa_teams import team_of
 Floats = NDArray[np.float64]
 LARGEST = 1e12
 """Of a length in m and of every other number, so that no square or product overflows."""
+FARTHEST = 1e30
+"""Of an error that counts as followed; a step from there is finite, and its square too."""
 
 
 def check_scenario(scenario: Scenario, reserved: Sequence[str]) -> None:
@@ -40,7 +42,7 @@ def check_scenario(scenario: Scenario, reserved: Sequence[str]) -> None:
     one_of("estimator.scale", part.scale, SCALES)
     needed = f"0, for without limit, or a distance up to {LARGEST:g} m is needed"
     need(0 <= part.reach_m <= LARGEST, "estimator.reach_m", f"{part.reach_m}", needed)
-    _check_size("estimator.diverged_m", part.diverged_m)
+    _check_size("estimator.diverged_m", part.diverged_m, FARTHEST)
     _check_size("scenario.kalman_acceleration", scenario.header.kalman_acceleration)
     _check_start(scenario.parts.get("start"))
     _check_names([variant.name for variant in scenario.parts["variant"]], reserved)
@@ -61,9 +63,9 @@ def _check_sensor(sensor: SensorPart) -> None:
         need(unused, f"sensor.{key}", found, "none is needed: this system has no such key")
 
 
-def _check_size(name: str, value: float) -> None:
-    needed = f"a number above 0, up to {LARGEST:g}, is needed"
-    need(0 < value <= LARGEST, name, f"{value}", needed)
+def _check_size(name: str, value: float, most: float = LARGEST) -> None:
+    needed = f"a number above 0, up to {most:g}, is needed"
+    need(0 < value <= most, name, f"{value}", needed)
 
 
 def _check_start(part: StartPart | None) -> None:

@@ -36,8 +36,9 @@ TAIL = 0.75
 """Share of the limit of the step up to which squares are averaged. Nearer to it their own spread
 grows without bound, long before their mean does, and an interval would be too narrow."""
 PILOT = 512
-"""Runs of the first stage: squares have a heavy tail, so that the deviation of few is too small as
-a rule. At `TAIL` and a level of 0.999, one interval in sixty misses with 64, one in 250 with these."""
+"""Runs of the first stage. Squares have a heavy tail, so the deviation of few is too small as a
+rule: at `TAIL` and a level of 0.999, one interval in sixty misses with 64, one in 250 with these.
+"""
 RUNS = 256
 ROUNDS = 400
 
