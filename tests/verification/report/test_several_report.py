@@ -36,7 +36,7 @@ def pages(folder, data):
     "changes,said",
     [
         ([(("estimator", "beta_m"), 0.001), ALONE], "it diverged"),
-        ([(("duration_s",), 0.1), ALONE], "nothing diverged"),
+        ([(("duration_s",), 0.1), (("summary_from_s",), 0.0), ALONE], "nothing diverged"),
         ([(("noise",), {"kind": "none"}), ALONE], "nothing diverged"),
         ([(("estimator", "reach_m"), 190.0), (("estimator", "n_max"), 0)], "nothing diverged"),
         ([(("target",), [{"kind": "line"}]), ALONE], "nothing diverged"),
