@@ -53,14 +53,14 @@ def rows_of(value):
     rows = listed(value, None, lambda row: listed(row, None, number))
     need(rows and rows[0] and len({*map(len, rows)}) == 1, "no matrix")
     return rows
-def mixed(factors, matrices):  # over one denominator: integers are quicker
-    unit = math.lcm(*(x.denominator for rows in matrices for row in rows for x in row))
-    share = math.lcm(*(c.denominator for c in factors))
-    scaled = [[[x.numerator * (unit // x.denominator) for x in row] for row in rows] for rows in matrices]
-    share, c = unit * share, [int(c * share) for c in factors]
-    return [[Fraction(sum(map(operator.mul, c, x)), share) for x in zip(*rows)] for rows in zip(*scaled)]
-def summed(matrices):
-    return matrices[0] if len(matrices) == 1 else mixed([1] * len(matrices), matrices)
+def integers(rows):  # over their common denominator: integers are quicker
+    unit = math.lcm(*(x.denominator for row in rows for x in row))
+    need(unit.bit_length() * len(rows) * len(rows[0]) <= SCALED, "too many numbers for one denominator as long")
+    return [[x.numerator * (unit // x.denominator) for x in row] for row in rows], unit
+def mixed(factors, matrices):
+    (rows, unit), ((c,), share) = integers([row for rows in matrices for row in rows]), integers([factors])
+    size = range(len(rows) // len(c))
+    return [[Fraction(sum(map(operator.mul, c, x)), unit * share) for x in zip(*rows[i :: len(size)])] for i in size]
 def product(a, b):
     return [[sum(map(operator.mul, row, column)) for column in zip(*b)] for row in a]
 
@@ -76,7 +76,7 @@ class Poly:
     def __add__(self, other):
         need(self.shape == other.shape, f"a sum of shapes {self.shape} and {other.shape}")
         both = {key: [p.terms[key] for p in (self, other) if key in p.terms] for key in self.terms | other.terms}
-        return Poly({key: summed(found) for key, found in both.items()}, self.shape)
+        return Poly({key: mixed([1] * len(found), found) for key, found in both.items()}, self.shape)
     def __sub__(self, other):
         return self + Poly({k: [[-x for x in row] for row in m] for k, m in other.terms.items()}, other.shape)
     def __mul__(self, other):
@@ -88,10 +88,11 @@ class Poly:
         for (s, v), a in self.terms.items():
             for (t, w), b in other.terms.items():
                 need(not (v and w) or v[-1][3] == w[0][2], "a product of unlike sizes")
-                rows = mixed(a[0], [b]) if scale else product(a, b)
+                (x, p), (y, q) = integers(a), integers(b)
+                rows = mixed(a[0], [b]) if scale else mixed([Fraction(1, p * q)], [product(x, y)])
                 products.setdefault(((*sorted(s + t),), v + w), []).append(rows)
         shape = other.shape if scale else (self.shape[0], other.shape[1])
-        return Poly({key: summed(found) for key, found in products.items()}, shape)
+        return Poly({key: mixed([1] * len(found), found) for key, found in products.items()}, shape)
     def transpose(self):
         def flip(name, kind, rows, columns):
             turned = name if kind in {"symmetric", *POSITIVE} else name[:-1] if name[-1] == "'" else name + "'"
@@ -374,9 +375,8 @@ class Proof:
             total = mixed([c for _, c in terms], [self.proved[k] for k, _ in terms])
             need(total == rows, "the combination is another matrix")
         else:  # G E G' strictly diagonally dominant
-            unit = math.lcm(*(entry.denominator for row in rows for entry in row))
             g = listed(item["rows"], n, lambda row: listed(row, n, whole))
-            half = product(g, [[int(entry * unit) for entry in row] for row in rows])
+            half = product(g, integers(rows)[0])
             for i, row in enumerate(product(half, [*zip(*g)])):
                 need(2 * row[i] > sum(map(abs, row)), f"row {i} is not diagonally dominant")
         self.proved.append(rows)
@@ -602,7 +602,8 @@ def check_document(document, statements, kind_of_proof=Proof):
     for text in case["show"]:
         proof.holds(ast.parse(text, mode="eval").body)
     need(not [*proof.items], "a witness too many")
-    relies = "".join(f"; relies on {text}" for text in statement["relies_on"])
+    relies = "".join(f"; given {text} == 0" for text in statement["given"])
+    relies += "".join(f"; relies on {text}" for text in statement["relies_on"])
     entry = {key: document.get(key) for key in ("system", "name", "inputs", "lower", "upper", "verdict")}
     return entry | {"statement": f"{case['words']} [{'; '.join(case['show'])}]{relies}"}
 
@@ -635,6 +636,5 @@ def main(argv):
         print("VALID" if entry.pop("valid") else "INVALID", printable(entry.pop("file")))
         print(*(f"  {key}: {printable(value)}" for key, value in entry.items() if value), sep="\n")
     return max(status for _, status in results)
-
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))

@@ -20,7 +20,20 @@ LETTERS = {
 """Symbols for statements made up in tests."""
 
 
-SIZES = {"2": 2, "n": 3, "m": 4, "k": 6, "N": 5, "N1": 2, "N2": 6, "1": 1}
+SIZES = {
+    "1": 1,
+    "2": 2,
+    "n": 3,
+    "m": 4,
+    "d": 5,
+    "k": 6,
+    "l": 2,
+    "N": 5,
+    "N1": 2,
+    "N2": 6,
+    "K": 3,
+    "M": 4,
+}
 
 
 def values(symbols, seed):
