@@ -220,6 +220,10 @@ def test_a_step_that_is_unstable_without_noise_is_remarked_on(
         (("--coordinates", "0"), "--coordinates"),
         (("--set", "alpha=0"), "alpha"),
         (("--set", "beta=-1"), "beta"),
+        (("--set", "beta=1e-400"), "beta"),
+        (("--set", "alpha=1e31"), "alpha"),
+        (("--set", "h=[1, 1e400]"), "h"),
+        (("--set", "H=[[1e-400]]"), "H"),
         (("--set", "gamma=1"), "gamma"),
     ],
 )

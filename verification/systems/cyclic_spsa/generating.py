@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
@@ -19,6 +20,8 @@ __all__ = ["INPUTS", "STEPPER", "constants"]
 INPUTS = (*HESSIAN, ALPHA, BETA)
 MOST = 12
 """Coordinates up to which straight-line source is sensible: six targets."""
+LARGEST = 10**30
+"""Of a constant, and of its inverse: numbers of single precision hold it, and its products."""
 
 
 def constants(
@@ -47,7 +50,7 @@ def constants(
     ------
     InputError
         The Hessian is given twice or is not symmetric positive definite, alpha or beta is not
-        positive, or a size does not fit.
+        positive, a size does not fit, or a number is too large or too small for source.
     """
     given: dict[str, Rows] = {}
     n = STEPPER.coordinates if coordinates is None else coordinates
@@ -61,6 +64,8 @@ def constants(
     for name in ("alpha", "beta"):
         if name in values:
             given[name] = ((positive(values, name),),)
+    for name, rows in given.items():
+        _check_size("h" if name == "H" and values.get("h") is not None else name, rows)
     return n, given, _warning(given)
 
 
@@ -70,6 +75,14 @@ def _size(own: int, name: str, coordinates: int | None) -> int:
         found = f"{own} numbers" if name == "h" else f"{own} x {own}"
         raise InputError(name, found, f"{n} coordinates are needed, or a single number")
     return n
+
+
+def _check_size(name: str, rows: Rows) -> None:
+    for value in (entry for row in rows for entry in row if entry):
+        if not 1 <= abs(value) * LARGEST <= LARGEST**2:
+            digits = math.log10(abs(value.numerator)) - math.log10(value.denominator)
+            needed = f"numbers from {1 / LARGEST:.0e} to {LARGEST:.0e} are needed"
+            raise InputError(name, f"about 10^{digits:.0f}", needed)
 
 
 def _warning(given: Mapping[str, Rows]) -> str:
