@@ -29,12 +29,13 @@ REPAIR = (
     "down to what it relies on."
 )
 REPAIR_FORMULA = (
-    r"\frac{b+\frac{2k\delta}\alpha+\sqrt{b^2+ml+\frac{4k\delta b}\alpha+"
-    r"\bigl(\frac{2k\delta}\alpha\bigr)^2(1-\alpha m)}}{m}-2k\delta,\quad"
+    r"\begin{array}{l}"
+    r"\frac{b+q+\sqrt{b^2+ml+2qb+q^2(1-\alpha m)}}{m}-2k\delta,\quad q=\frac{2k\delta}\alpha \\"
     r"b=\frac{(2\mu+M)\delta+M\beta d^{3/2}}2+6\alpha d^{5/2}M^2\beta+"
-    r"\frac{3\alpha dc_3\delta}{4\beta^2},\quad"
-    r"l=M\delta^2+3\alpha d\Bigl(2dc_2+2d^2M^2\beta^2+"
-    r"\frac{c_3(\delta^2+d\beta^2)+c_4+c_v^2}{4\beta^2}\Bigr)"
+    r"\frac{3\alpha dc_3\delta}{4\beta^2} \\"
+    r"l=M\delta^2+6\alpha d^2(c_2+dM^2\beta^2) \\"
+    r"\qquad+\frac{3\alpha d}{4\beta^2}\bigl(c_3(\delta^2+d\beta^2)+c_4+c_v^2\bigr)"
+    r"\end{array}"
 )
 
 
