@@ -71,14 +71,15 @@ def error(run: Record, m_max: int) -> Figure:
 
 
 def parts(run: Record, what: str) -> Figure:
-    """Errors of the first estimate by sensor or by target."""
+    """Errors of the first estimate that has not diverged, by sensor or by target."""
     figure, axes = axes_of()
     colours = [COLOURS[role] for role in ("sharp", "printed", "bound", "target", "run", "rule")]
     names = [entry["name"] for entry in run[f"{what}s"]]
-    for k, level in enumerate(run["estimates"][0][f"by_{what}"]):
+    whole = [entry for entry in run["estimates"] if entry["error"][-1] is not None]
+    for k, level in enumerate((whole or run["estimates"])[0][f"by_{what}"]):
         dash = ("-", "--", ":")[k // len(colours) % 3]
         _curve(run, axes, level, colours[k % len(colours)], dash, names[k])
-    _finish(axes)
+    _finish(axes, what)
     return figure
 
 
@@ -87,9 +88,9 @@ def _curve(run: Record, axes: Axes, level: Any, colour: str, dash: str, label: s
     axes.semilogy(run["time"], _array(level), dash, color=colour, lw=width, label=label or None)
 
 
-def _finish(axes: Axes) -> None:
+def _finish(axes: Axes, title: str = "") -> None:
     axes.set(xlabel="time, s", ylabel="error, rms, m")
-    axes.legend(frameon=False, fontsize=7)
+    axes.legend(frameon=False, fontsize=7, title=title)
 
 
 def _array(rows: Any) -> NDArray[np.float64]:

@@ -170,6 +170,11 @@ def until(places: Floats, truth: Floats, limit: float) -> tuple[Floats, int | No
     return kept, first
 
 
+def distance_text(value: float) -> str:
+    """A round distance with its unit."""
+    return f"{value / 1000:g} km" if 1e4 <= value < 1e9 else f"{value:g} m"
+
+
 def _settled(time: Floats, level: Floats, limit: float) -> float | None:
     """First time at which the error is below a limit."""
     below = level < limit

@@ -47,3 +47,26 @@ def test_runs_are_those_of_the_algorithm_written_out(changes):
         assert np.allclose(found, wanted, rtol=1e-9, atol=1e-7, equal_nan=True)
         moved = np.nanmax(np.abs(found[-1] - found[0]), axis=(1, 2))
         assert (moved > 1).all()
+
+
+def in_units(part, size):
+    """The same tables with all lengths and speeds in units so many times smaller."""
+    if isinstance(part, list):
+        return [in_units(entry, size) for entry in part]
+    if not isinstance(part, dict):
+        return part
+    lengths = {key for key in part if key.endswith(("_m", "_mps"))}
+    scaled = {key: (size * np.array(part[key])).tolist() for key in lengths}
+    return {key: scaled.get(key, in_units(value, size)) for key, value in part.items()}
+
+
+@pytest.mark.parametrize("size", [1024.0, 2.0**-20])
+def test_a_run_in_other_units_of_length_is_the_same_run(size):
+    data = copy.deepcopy(BASE) | {"duration_s": 8.0, "summary_from_s": 0.0, "baselines": []}
+    for target in data["target"]:
+        if target["kind"] == "line":
+            target.setdefault("velocity_mps", [1.0, 0.0, 0.0])
+    data["estimator"] |= {"diverged_m": 1e7}
+    run, other = (simulate(scenario_of("toy", in_units(data, by))) for by in (1.0, size))
+    found = other.estimates["cyclic_spsa"][0]
+    assert np.array_equal(found, size * run.estimates["cyclic_spsa"][0])

@@ -7,16 +7,20 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from sensortrack.simulation.several import distance_text
 from verification.figure import Axis, Curve, Dots, Plot
 
 from .plots import extent
 from .records import Record, digits
+from .several_tables import metres
 
 Floats = NDArray[np.float64]
 ROOM = 1.5
 """Above the largest and below the smallest value of a logarithmic axis."""
 ROLES = ("sharp", "printed", "run")
 """Of the settings in one figure, in order; further ones look like the last."""
+POINTS = 60
+"""Of a curve of one sensor or target, each over a part of the run: noise would hide the others."""
 
 
 def several_figures(run: Record) -> tuple[tuple[str, Plot], ...]:
@@ -115,7 +119,7 @@ def _settings_plot(run: Record, m_max: int) -> Plot:
     said = f"error with {m_max} target{'s' if m_max > 1 else ''} at a time"
     caption = "Root-mean-square error over sensors and targets; thin lines are what was expected, "
     caption += "from exact moments along these paths. "
-    caption += f"A diamond is where an error has passed {digits(run['spsa']['diverged_m'])} m."
+    caption += f"A diamond is where an error has passed {distance_text(run['spsa']['diverged_m'])}."
     return _plot(run, said, caption, curves, dots)
 
 
@@ -149,11 +153,14 @@ def _parts(run: Record, entry: Record, what: str, names: Sequence[str]) -> Plot:
         role = "printed" if k == worst else "sharp" if k == best else "run"
         name = f"{what} {names[k]}" if names[k].isdigit() else names[k]
         label = name if k in (worst, best) else ""
-        curves.append(_level(run, level, role, label))
+        curves.append(_curve(*_windows(run["time"], level), role, label))
     caption = (
         f"Root-mean-square error of {entry['label']} by {what}; the best and the worst at the "
     )
     caption += "end are named."
+    if (width := _width(run["time"])) > 1:
+        length = width * (run["time"][1] - run["time"][0])
+        caption += f" Each point is of {digits(length)} s."
     return _plot(run, f"error by {what}", caption, curves)
 
 
@@ -165,12 +172,27 @@ def _last(level: Sequence[float | None]) -> float:
 
 
 def _level(run: Record, level: Sequence[float | None], role: str, label: str) -> Curve:
+    return _curve(_array(run["time"]), _array(level), role, label)
+
+
+def _curve(time: Floats, values: Floats, role: str, label: str) -> Curve:
     """A curve up to where it is known."""
+    known = np.logical_and.accumulate(np.isfinite(values))
+    return Curve(role, tuple(time[known].tolist()), tuple(values[known].tolist()), label)
+
+
+def _width(time: Sequence[float]) -> int:
+    return max(1, len(time) // POINTS)
+
+
+def _windows(time: Sequence[float], level: Sequence[float | None]) -> tuple[Floats, Floats]:
+    """The start, then middles of windows and the root-mean-square over each."""
+    width = _width(time)
+    whole = (len(time) - 1) // width * width
+    middles = _array(time)[1 : whole + 1].reshape(-1, width).mean(axis=1)
     values = _array(level)
-    known = np.isfinite(values)
-    known &= np.logical_and.accumulate(known)
-    time = np.array(run["time"], dtype=float)[known]
-    return Curve(role, tuple(time.tolist()), tuple(values[known].tolist()), label)
+    squares = (values[1 : whole + 1] ** 2).reshape(-1, width).mean(axis=1)
+    return np.append(time[0], middles), np.append(values[0], np.sqrt(squares))
 
 
 def _plot(
@@ -182,7 +204,7 @@ def _plot(
     values = values[values > 0]
     low, high = (values.min() / ROOM, values.max() * ROOM) if values.size else (0.1, 1.0)
     finding = "; ".join(
-        f"{curve.label} ends at {digits(curve.y[-1])} m"
+        f"{curve.label} ends at {metres(curve.y[-1])} m"
         for curve in curves
         if curve.label and curve.y
     )

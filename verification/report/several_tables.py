@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from .records import Record, count, digits, number_word
 
 HEAD = (
@@ -17,6 +19,19 @@ HEAD = (
 )
 
 
+def metres(value: float | None) -> str:
+    """Four significant digits, thousands apart, without an exponent where there is room."""
+    if value is None:
+        return "–"
+    if value and not 1e-3 <= abs(value) < 1e12:
+        return f"{value:.4g}"
+    rounded = float(f"{value:.4g}")
+    places = 3 - math.floor(math.log10(abs(rounded))) if rounded else 0
+    if places >= 0:
+        return f"{rounded:.{places}f}".rstrip("0").rstrip(".") if places else f"{rounded:.0f}"
+    return f"{rounded:,.0f}".replace(",", "\u202f")
+
+
 def rows(run: Record) -> list[list[str]]:
     """One row an estimate; what was expected is known of cyclic SPSA only."""
     labels = {entry["name"]: entry["label"] for entry in run["estimates"]}
@@ -29,13 +44,13 @@ def rows(run: Record) -> list[list[str]]:
         made.append(
             [
                 labels[row["estimate"]],
-                digits(row["start"]),
+                metres(row["start"]),
                 digits(row["settled"]),
                 digits(beside.get("settled")),
-                digits(row["position_rms"]),
-                digits(beside.get("rms")),
-                digits(beside.get("frozen")),
-                "–" if share is None else f"{share:.3g}",
+                metres(row["position_rms"]),
+                metres(beside.get("rms")),
+                metres(beside.get("frozen")),
+                "–" if share is None else metres(float(f"{share:.3g}")),
                 digits(row["diverged"]),
             ]
         )
@@ -55,7 +70,7 @@ def headline(run: Record) -> str:
     first = min(whole, key=lambda row: float(row["position_rms"]))
     name = labels[first["estimate"]]
     with_ = f" with {name}" if len(best) > 1 else ""
-    return f"{run['title']}: {digits(first['position_rms'])} m rms{with_}; {said}"
+    return f"{run['title']}: {metres(first['position_rms'])} m rms{with_}; {said}"
 
 
 def lede(run: Record) -> str:

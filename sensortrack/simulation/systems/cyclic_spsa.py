@@ -14,7 +14,7 @@ from sensortrack.simulation.parts import Scenario, need, one_of
 from sensortrack.simulation.placement import NetworkPart, PlacementPart, placed
 from sensortrack.simulation.ranging import Measured, NoisePart, measured, moments
 from sensortrack.simulation.run import rounded
-from sensortrack.simulation.several import EXACT, until
+from sensortrack.simulation.several import EXACT, distance_text, until
 from sensortrack.simulation.several_baselines import averaged, filtered
 from sensortrack.simulation.spsa_checks import check_scenario
 from sensortrack.simulation.spsa_following import Followed, Starts, follow, starts
@@ -39,6 +39,8 @@ LABELS = {
     "kalman": "Kalman filters",
 }
 AGAIN = "measures again"
+OWN = ("alpha", "beta_m", "reading", "n_max", "m_max")
+"""Keys of the estimator that a variant may change."""
 FAULTS = {"lost": ("measures nothing", AGAIN), "nan": ("sends no numbers", AGAIN)}
 
 TABLES: Mapping[str, type] = {
@@ -161,12 +163,13 @@ def _placed(places: Floats) -> tuple[Floats, Floats]:
 def _diverged(
     ends: Mapping[str, int | None], time: Floats, limit: float
 ) -> tuple[dict[str, Any], ...]:
+    passed = distance_text(limit)
     return tuple(
         {
             "time": float(time[end]),
             "kind": "diverged",
             "of": name,
-            "text": f"{LABELS.get(name, name)} has diverged: its error passes {limit:g} m",
+            "text": f"{LABELS.get(name, name)} has diverged: its error passes {passed}",
         }
         for name, end in ends.items()
         if end is not None
@@ -175,18 +178,25 @@ def _diverged(
 
 def _parameters(scenario: Scenario) -> Mapping[str, Any]:
     part, noise = scenario.estimator, scenario.noise
+    listed = scenario.parts["variant"]
+    own: dict[str, Any] = {name: getattr(part, name) for name in OWN}
     return {
-        "alpha": part.alpha,
-        "beta": part.beta_m,
         "h": part.h_s,
-        "n_max": part.n_max,
-        "m_max": part.m_max,
-        "reading": part.reading,
+        **({} if listed else own),
+        **{f"setting: {v.name}": _text(v) for v in variants(scenario) if listed},
         "scale": part.scale,
         "reach": part.reach_m or "without limit",
         "noise": f"{noise.kind}, {noise.bearing_deg} deg, {100 * noise.range_relative:g} % of the "
         "distance",
     }
+
+
+def _text(setting: Variant) -> str:
+    """A setting in one line."""
+    return (
+        f"alpha {setting.alpha:g}, beta {setting.beta_m:g} m, reading {setting.reading}, "
+        f"n_max {setting.n_max}, m_max {setting.m_max}"
+    )
 
 
 def _record(

@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from sensortrack.plots import save_run
@@ -10,6 +11,8 @@ from sensortrack.simulation.scenario import scenario_of
 from tests.sensortrack.test_spsa_simulation import changed
 from tests.verification.report.test_report import HOSTILE, Page, built
 from verification.cli.simulate import lines_of
+from verification.report.several_figures import several_figures
+from verification.report.several_tables import metres
 from verification.systems.cyclic_spsa.envelopes import expectations
 
 SHORT = (("duration_s",), 3.0)
@@ -63,3 +66,44 @@ def test_names_are_only_shown(tmp_path):
     html, markdown, _ = pages(tmp_path, data)
     assert "img" not in Page(html).tags
     assert "<img" not in markdown.replace("\\<", "")
+
+
+@pytest.mark.parametrize(
+    "value,text",
+    [
+        (None, "–"),
+        (0.0, "0"),
+        (182.0, "182"),
+        (0.694, "0.694"),
+        (99.9996, "100"),
+        (9999.4, "9999"),
+        (9999.6, "10\u202f000"),
+        (117949.0, "117\u202f900"),
+        (-53.12, "-53.12"),
+        (1e-5, "1e-05"),
+        (2e20, "2e+20"),
+    ],
+)
+def test_lengths_have_four_digits_and_no_exponent_where_there_is_room(value, text):
+    assert metres(value) == text
+
+
+def test_curves_of_one_sensor_keep_the_mean_square_of_the_run():
+    """Windows, as single errors hide each other: start, then the same squares in fewer points."""
+    data = record((("duration_s",), 24.0), ALONE)
+    figure = dict(several_figures(data))["error-by-sensor"]
+    level = np.array(data["estimates"][0]["by_sensor"][0], dtype=float)
+    curve = figure.curves[0]
+    assert curve.y[0] == level[0]
+    assert 50 < len(curve.y) < 70
+    width = len(level) // 60
+    squares = np.array(curve.y[1:]) ** 2
+    assert squares.mean() == pytest.approx((level[1 : 1 + width * len(squares)] ** 2).mean())
+
+
+def test_every_setting_is_on_the_page(tmp_path):
+    names = [{"name": "calm"}, {"name": "bold", "beta_m": 7.5, "m_max": 1, "reading": "one"}]
+    html, markdown, _ = pages(tmp_path, record(ALONE, (("variant",), names)))
+    said = "alpha 0.3, beta 7.5 m, reading one, n_max 1, m_max 1"
+    assert said in html
+    assert said.replace("_", "\\_") in markdown or said in markdown
