@@ -48,7 +48,7 @@ class CyclicSpsa:
     schedule : Schedule
         Blocks of the sensor's targets, and whose measurements it uses.
     weights : mapping of str to float
-        h of each target, above 0: the Hessian of its cost. `sensortrack.schedules.shares` makes
+        h of each target, above 0: the Hessian of its cost. `sensortrack.nearest.shares` makes
         them from variances.
     alpha : float
         Step size, above 0.

@@ -5,15 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from .parts import Scenario
 from .run import Run
 from .several import RunOfSeveral
 from .systems import Simulated, simulated
-
-Floats = NDArray[np.float64]
 
 
 def simulate(scenario: Scenario, seed: int | None = None) -> Run:
@@ -37,8 +32,7 @@ def simulate(scenario: Scenario, seed: int | None = None) -> Run:
     """
     part, header = scenario.estimator, scenario.header
     chosen = header.seed if seed is None else seed
-    count = round(header.duration_s / part.h_s) + 1
-    time: Floats = part.h_s * np.arange(count, dtype=np.float64)
+    time = scenario.time
     system = simulated(part.system)
     found = system.run(scenario, chosen, time, scenario.target.at(time))
     kind = partial(RunOfSeveral, targets=scenario.targets) if scenario.targets else Run

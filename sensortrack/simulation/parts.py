@@ -6,6 +6,9 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from sensortrack.errors import InputError
 from sensortrack.sensors import checked_weights
 from sensortrack.tables import Vector
@@ -70,6 +73,12 @@ class Scenario:
         if not any(given.values()):
             return dict.fromkeys(given, 1.0 / len(given))
         return checked_weights(given)
+
+    @property
+    def time(self) -> NDArray[np.float64]:
+        """Times of the samples in s, the start included."""
+        count = round(self.header.duration_s / self.estimator.h_s) + 1
+        return np.asarray(self.estimator.h_s * np.arange(count, dtype=np.float64))
 
     @property
     def targets(self) -> tuple[str, ...]:

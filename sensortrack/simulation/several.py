@@ -62,7 +62,7 @@ class RunOfSeveral(Run):
                     "velocity_rms": None,
                     "from": self.summary_from,
                     "start": float(level[0]),
-                    "settled": _settled(self.time, level, SETTLED * first),
+                    "settled": settled(self.time, level, SETTLED * first),
                     "diverged": None if whole else float(self.time[int(np.isnan(level).argmax())]),
                 }
             )
@@ -175,7 +175,7 @@ def distance_text(value: float) -> str:
     return f"{value / 1000:g} km" if 1e4 <= value < 1e9 else f"{value:g} m"
 
 
-def _settled(time: Floats, level: Floats, limit: float) -> float | None:
+def settled(time: Floats, level: Floats, limit: float) -> float | None:
     """First time at which the error is below a limit."""
     below = level < limit
     return float(time[int(below.argmax())]) if below.any() else None

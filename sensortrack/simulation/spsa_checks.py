@@ -46,7 +46,7 @@ def check_scenario(scenario: Scenario, reserved: Sequence[str]) -> None:
     _check_size("scenario.kalman_acceleration", scenario.header.kalman_acceleration)
     _check_start(scenario.parts.get("start"))
     _check_names([variant.name for variant in scenario.parts["variant"]], reserved)
-    paths = scenario.target.at(_time(scenario))[0][..., :2]
+    paths = scenario.target.at(scenario.time)[0][..., :2]
     places = np.array([sensor.position_m[:2] for sensor in scenario.sensors])
     far = _check_paths(scenario, paths, places)
     for variant in variants(scenario):
@@ -111,8 +111,3 @@ def _check_setting(variant: Variant, far: float) -> None:
     found = f"{variant.beta_m} m beside positions of {far:g} m"
     needed = "a perturbation that is not lost in their rounding is needed"
     need(max(far, 1 / LARGEST) <= RESOLVED * variant.beta_m, f"{table}.beta_m", found, needed)
-
-
-def _time(scenario: Scenario) -> Floats:
-    count = round(scenario.header.duration_s / scenario.estimator.h_s) + 1
-    return np.asarray(scenario.estimator.h_s * np.arange(count, dtype=np.float64))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from sensortrack.errors import InputError
 from sensortrack.estimators.cyclic_spsa import CyclicSpsa
-from sensortrack.schedules import nearest_schedules, shares
+from sensortrack.nearest import nearest_schedules, shares
 
 from .parts import Scenario
 from .ranging import moments

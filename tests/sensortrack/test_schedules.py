@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sensortrack.errors import InputError
-from sensortrack.schedules import Schedule, Turn, nearest_schedules, shares
+from sensortrack.nearest import nearest_schedules, shares
+from sensortrack.schedules import Schedule, Turn
 
 BLOCKS = [["p", "q"], ["r"], ["s", "t"]]
 SOURCES = dict.fromkeys("pqrst", "a")

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .expected import Setting, covariances
+from .expected_squares import Setting, covariances
 from .stationary import stationary_mean, stationary_mse
 
 Floats = NDArray[np.float64]

@@ -12,7 +12,7 @@ from sensortrack.simulation.spsa_settings import variants
 from sensortrack.simulation.spsa_teams import team_of
 from verification.inputs import read_inputs
 from verification.systems.cyclic_spsa.confirmed import confirm_mean, confirm_mean_square
-from verification.systems.cyclic_spsa.expected import Setting, expected_squares
+from verification.systems.cyclic_spsa.expected_squares import Setting, expected_squares
 from verification.systems.cyclic_spsa.frozen import frozen_blocks, frozen_error
 from verification.systems.cyclic_spsa.stability import step_limit
 from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE, stationary_mean, stationary_mse

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings
 
 from sensortrack.errors import InputError
-from sensortrack.schedules import Schedule, nearest_schedules, shares
+from sensortrack.nearest import nearest_schedules, shares
+from sensortrack.schedules import Schedule
 from verification.certificates import check
 from verification.certificates.make import statements
 from verification.inputs import read_inputs
