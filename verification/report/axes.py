@@ -60,7 +60,7 @@ def _steps(axis: Axis, most: int) -> list[float]:
 def _decades(axis: Axis) -> list[float]:
     """Powers of ten; on a short axis also twice and five times each."""
     low, high = math.ceil(math.log10(axis.low) - 1e-9), math.floor(math.log10(axis.high) + 1e-9)
-    if _distance(axis) < SHORT:
+    if _distance(axis) < SHORT - 1e-9:
         found = [m * 10.0**k for k in range(low - 1, high + 1) for m in (1, 2, 5)]
         return [v for v in found if axis.low * (1 - 1e-9) <= v <= axis.high * (1 + 1e-9)]
     every = max(1, -(-(high - low) // 5))
