@@ -19,7 +19,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sensortrack.arguments import numbers, real
 from sensortrack.errors import InputError
+from sensortrack.random_numbers import whole
 
 Floats = NDArray[np.float64]
 LEVEL = 0.999
@@ -117,8 +119,8 @@ def batch_interval(series: ArrayLike, batches: int = 32, level: float = LEVEL) -
     InputError
         Fewer samples than batches, fewer than two batches, or as `mean_interval`.
     """
-    found = np.asarray(series, dtype=float)
-    length = len(found) // batches if batches > 0 else 0
+    found = numbers("series", series)
+    length = len(found) // whole("batches", batches, 2)
     if length == 0:
         needed = "at least one sample a batch is needed"
         raise InputError("batches", f"{batches} for {len(found)} samples", needed)
@@ -145,7 +147,7 @@ def runs_for(pilot: ArrayLike, width: float, level: float = LEVEL) -> int:
         A width of 0 or less, a pilot of mean zero that varies, more than `MOST` runs, or as
         `mean_interval`.
     """
-    if not width > 0:
+    if not real("width", width) > 0:
         raise InputError("width", f"{width}", "a relative width above 0 is needed")
     first = mean_interval(pilot, level)
     if first.half == 0:
@@ -179,28 +181,36 @@ def monte_carlo(
     Raises
     ------
     InputError
-        As `runs_for`.
+        As `runs_for`, or the draw has another number of runs than it was asked for.
     """
-    first = np.asarray(draw(0, pilot), dtype=float)
+    pilot = whole("pilot", pilot, 2)
+    first = _drawn(draw, 0, pilot)
     count = runs_for(first, width, level)
-    rest = np.asarray(draw(pilot, count - pilot), dtype=float) if count > pilot else first[:0]
+    rest = _drawn(draw, pilot, count - pilot) if count > pilot else first[:0]
     found = _checked(np.concatenate([first, rest]))
     stage = mean_interval(first, level)
     half = stage.half * math.sqrt(stage.runs / count)
     return Interval(float(found.mean()), half, count, level, seed)
 
 
+def _drawn(draw: Draw, first: int, count: int) -> Floats:
+    found = numbers("draw", draw(first, count))
+    if found.shape != (count,):
+        raise InputError("draw", f"shape {found.shape}", f"one number each of {count} runs")
+    return found
+
+
 def _quantile(level: float, degrees: int) -> float:
     """Of Student's law, two-sided."""
     from scipy.special import stdtrit
 
-    if not 0 < level < 1:
+    if not 0 < real("level", level) < 1:
         raise InputError("level", f"{level}", "a number above 0 and below 1 is needed")
     return float(stdtrit(degrees, (1 + level) / 2))
 
 
 def _checked(values: ArrayLike) -> Floats:
-    found = np.asarray(values, dtype=float)
+    found = numbers("runs", values)
     if found.ndim != 1 or len(found) < 2:
         raise InputError("runs", f"shape {found.shape}", "one number each of two or more runs")
     if not np.isfinite(found).all():

@@ -105,6 +105,16 @@ def test_the_width_of_a_mean_of_zero_is_infinite():
         (lambda: runs_for([1.0, -1.0], 0.1), "width"),
         (lambda: runs_for([1.0, 2.0], 1e-9), "width"),
         (lambda: runs_for([1.0, 2.0], math.nan), "width"),
+        (lambda: runs_for([1.0, 2.0], "narrow"), "width"),
+        (lambda: mean_interval(["a", "b"]), "runs"),
+        (lambda: mean_interval([1.0, 2.0], "high"), "level"),
+        (lambda: batch_interval([1.0, 2.0], 1.5), "batches"),
+        (lambda: batch_interval([1.0, 2.0], 1), "batches"),
+        (lambda: monte_carlo(normal(1), 0.1, 1, pilot=1), "pilot"),
+        (lambda: monte_carlo(normal(1), 0.1, 1, pilot=-1), "pilot"),
+        (lambda: monte_carlo(normal(1), 0.1, 1, pilot=2.5), "pilot"),
+        (lambda: monte_carlo(lambda _, count: np.ones(count - 1), 0.1, 1), "draw"),
+        (lambda: monte_carlo(lambda _, count: np.ones((count, 2)), 0.1, 1), "draw"),
     ],
 )
 def test_what_cannot_be_an_interval_is_refused_by_name(call, name):

@@ -35,7 +35,7 @@ def run_headline(run: Record) -> str:
     """The result of a run in one sentence."""
     if "targets" in run:
         return several_tables.headline(run)
-    own = next(row for row in run["summary"] if row["estimate"] == run["system"])
+    own = {row["estimate"]: row for row in run["summary"]}[run["system"]]
     rms = f"{digits(own['position_rms'])} m rms" if own["position_rms"] is not None else "unknown"
     bounds = run.get("bounds", [])
     if not bounds:

@@ -52,7 +52,11 @@ def _first(run: Record) -> Record:
     names = [entry["name"] for entry in _settings(run)]
     kept = [row["estimate"] for row in run["summary"] if row["position_rms"] is not None]
     name = next((name for name in names if name in kept), names[0])
-    return next(entry for entry in run["estimates"] if entry["name"] == name)
+    return _by(run["estimates"], "name")[name]
+
+
+def _by(entries: Iterable[Record], key: str) -> dict[str, Record]:
+    return {entry[key]: entry for entry in entries}
 
 
 def _names(entries: Iterable[Record]) -> list[str]:
@@ -104,18 +108,18 @@ def _dots(role: str, points: Floats) -> Dots:
 def _settings_plot(run: Record, m_max: int) -> Plot:
     """The settings that follow so many targets at a time, beside what was expected of them."""
     entries = [entry for entry in _settings(run) if entry["m_max"] == m_max]
+    estimates, expected = _by(run["estimates"], "name"), _by(run.get("expected", ()), "of")
     curves: list[Curve] = []
     dots: list[Dots] = []
     for k, entry in enumerate(entries):
-        found = next(e for e in run["estimates"] if e["name"] == entry["name"])
+        found = estimates[entry["name"]]
         role = ROLES[min(k, len(ROLES) - 1)]
         lost = _lost(run, entry["name"])
         curves.append(_level(run, found["error"], role, "" if lost else found["label"]))
         if lost:
             dots.append(Dots("refuting", (lost,), (run["spsa"]["diverged_m"],), found["label"]))
-        beside = next((e for e in run.get("expected", ()) if e["of"] == entry["name"]), None)
-        if beside is not None:
-            curves.append(_level(run, beside["value"], "bound", ""))
+        if entry["name"] in expected:
+            curves.append(_level(run, expected[entry["name"]]["value"], "bound", ""))
     said = f"error with {m_max} target{'s' if m_max > 1 else ''} at a time"
     caption = "Root-mean-square error over sensors and targets; thin lines are what was expected, "
     caption += "from exact moments along these paths. "
@@ -125,7 +129,7 @@ def _settings_plot(run: Record, m_max: int) -> Plot:
 
 def _lost(run: Record, name: str) -> float | None:
     """When an estimate diverged."""
-    found: float | None = next(r["diverged"] for r in run["summary"] if r["estimate"] == name)
+    found: float | None = _by(run["summary"], "estimate")[name]["diverged"]
     return found
 
 

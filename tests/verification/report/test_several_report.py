@@ -10,6 +10,7 @@ from sensortrack.simulation import simulate
 from sensortrack.simulation.scenario import scenario_of
 from tests.sensortrack.test_spsa_simulation import changed
 from tests.verification.report.test_report import HOSTILE, Page, built
+from verification.cli.main import main
 from verification.cli.simulate import lines_of
 from verification.report.several_figures import several_figures
 from verification.report.several_tables import metres
@@ -107,3 +108,13 @@ def test_every_setting_is_on_the_page(tmp_path):
     said = "alpha 0.3, beta 7.5 m, reading one, n_max 1, m_max 1"
     assert said in html
     assert said.replace("_", "\\_") in markdown or said in markdown
+
+
+@pytest.mark.parametrize("where", ["spsa", "summary", "estimates"])
+def test_a_run_whose_parts_do_not_fit_is_refused(tmp_path, capsys, where):
+    data = record(ALONE, (("variant",), [{"name": "calm"}, {"name": "bold"}]))
+    part = data[where]["variants"] if where == "spsa" else data[where]
+    part[0]["estimate" if where == "summary" else "name"] = "gone"
+    (tmp_path / "run.json").write_text(json.dumps(data))
+    assert main(["report", str(tmp_path)]) == 2
+    assert "internal" not in capsys.readouterr().err

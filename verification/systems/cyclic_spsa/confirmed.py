@@ -109,6 +109,8 @@ def confirm_mean(
     answer = stationary_mean(values)
     block, alpha = block_of(values), values["alpha"]
     batch, skip, updates = _batch(block, alpha, str(values.get("law", "gaussian")))
+    if not 0 < level < 1:
+        raise InputError("level", f"{level}", "a number above 0 and below 1 is needed")
     each = 1 - (1 - level) / block.size
     means = batch.run(runs, updates, skip, seed).means
     return tuple(

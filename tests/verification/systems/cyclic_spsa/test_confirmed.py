@@ -171,3 +171,8 @@ def test_intervals_hold_the_closed_form_as_often_as_they_say():
     assert 0.7 < float(values["alpha"]) / step_limit(values).value < 0.75
     held = [confirm_mean_square(values, 0.2, seed, 0.9).holds for seed in range(60)]
     assert sum(held) >= 60 * 0.9 - 4 * np.sqrt(60 * 0.9 * 0.1)
+
+
+def test_a_level_is_a_probability_for_the_mean_too():
+    with pytest.raises(InputError, match="level"):
+        confirm_mean(question(**BLOCK), level=0.0)
