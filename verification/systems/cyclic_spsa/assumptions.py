@@ -112,11 +112,13 @@ def decide_assumptions(values: Mapping[str, Any]) -> Answer:
     Raises
     ------
     InputError
-        As `assumption_constants`, or a constant is negative.
+        As `assumption_constants`, or a constant is negative, or mu is 0.
     """
     for name in NAMES:
         if values[name] < 0:
             raise InputError(name, f"{values[name]}", "a constant of 0 or more is needed")
+    if values["mu"] == 0:
+        raise InputError("mu", "0", "a constant above 0 is needed: Assumption 1 asks for it")
     constants = [values[name] for name in NAMES]
     if values["costs"] is not None:
         return decide_costs(values, constants)

@@ -18,9 +18,18 @@ from verification.answers import Answer, Input
 from verification.certificates.make import certificate
 from verification.exact.evaluate import add, dot, identity, multiply, quadratic
 from verification.exact.rationals import above, below
+from verification.exact.semidefinite import split
 
 from .block_inputs import Block
-from .constants import MOVED, NAMES, cost_of, drift_bounds, largest_ratio, matrix_item
+from .constants import (
+    MOVED,
+    NAMES,
+    cost_of,
+    drift_bounds,
+    largest_ratio,
+    matrix_item,
+    semidefinite_items,
+)
 from .cost_changes import gradient_power
 from .quadratic_costs import refuted
 
@@ -90,7 +99,7 @@ def decide_costs(values: Mapping[str, Any], constants: Sequence[Fraction]) -> An
     y = _far(now, before, given["c3"], given["c4"])
     data: dict[str, Any] = {"H": now.hessian, "G": before.hessian, "Xi": now.noise}
     data |= {"eta": [[x] for x in now.drift], "c3": given["c3"], "c4": given["c4"]}
-    witness = [matrix_item([[x] for x in y])]
+    witness = [matrix_item([[x] for x in y]), *semidefinite_items(split(now.noise))]
     document = certificate("cyclic_spsa", "assumptions_of_two", data, witness, "REFUTED")
     return Answer(verdict="REFUTED", certificate=document, notes=(f"c3: {UNLIKE}",))
 

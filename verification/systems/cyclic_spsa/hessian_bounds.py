@@ -105,4 +105,5 @@ def proved_of_all(
     drifts = tuple(tuple(a * b for b in high.drift) for a in high.drift)
     form = scaled(2 * high.hessian[0][0] ** 2, add(scaled(2, high.noise), drifts))
     factor = semidefinite_items(split(add(scaled(data["c3"], eye), form, -1)))
-    return certificate("cyclic_spsa", "assumptions_of_all", data, [matrix_item(eye), *factor])
+    witness = [matrix_item(eye), *factor, *semidefinite_items(split(high.noise))]
+    return certificate("cyclic_spsa", "assumptions_of_all", data, witness)

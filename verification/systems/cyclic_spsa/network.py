@@ -106,36 +106,39 @@ def _proved(network: Network, plans: Sequence[Plan]) -> dict[str, Any] | None:
         return None
     inside = [[int(own is plan and i in block) for plan, i in pairs] for own, block in blocks]
     spreads = [network.variances[plan.sources.sources[i]][i] for plan, i in pairs]
-    moved = [sum((x**2 for x in network.drifts[i]), Fraction(0)) for _, i in pairs]
+    drifts = [network.drifts[i] for _, i in pairs]
     data = {
         "G": inside,
         "h": [[plan.hessian[i]] for plan, i in pairs],
         "s": [[x] for x in spreads],
-        "e": [[x] for x in moved],
+        "e": [[x**2 + y**2] for x, y in drifts],
         "beta": network.beta,
         "reading": network.instants,
     }
     loads = [sum((plan.weights[i] for i in block), Fraction(0)) for plan, block in blocks]
     upper = 2 / max(loads)
     try:
-        witness = _witness(len(pairs), loads, upper)
+        witness = _witness(drifts, loads, upper)
         return certificate("cyclic_spsa", "network_step_limit", data, witness, upper=upper)
     except CertificateError:
         return None
 
 
-def _witness(pairs: int, loads: Sequence[Fraction], upper: Fraction) -> list[Item]:
+def _witness(
+    drifts: Sequence[tuple[Fraction, ...]], loads: Sequence[Fraction], upper: Fraction
+) -> list[Item]:
     slack = [2 - upper * x for x in loads]
     critical = slack.index(Fraction(0))
     loose = [k for k, x in enumerate(slack) if x]
     columns = [[int(k == at) for at in loose] for k in range(len(loads))] if loose else None
     return [
-        _column([1] * pairs),
+        _column([1] * len(drifts)),
         _column(loads),
         _column([1] * len(loads)),
         {"kind": "matrix", "rows": columns or [[0] for _ in loads]},
         _column([slack[k] for k in loose] or [1]),
         _column([int(k == critical) for k in range(len(loads))]),
+        *map(_column, zip(*drifts, strict=True)),
     ]
 
 

@@ -32,6 +32,7 @@ def proved(data: Mapping[str, Any], change: Change) -> dict[str, Any]:
     _, z, rest = offset(change, data["c3"])
     factors = [item for parts in (low, high, rest) for item in semidefinite_items(parts)]
     witness = [matrix_item(eye), *factors, matrix_item([[x] for x in z])]
+    witness += semidefinite_items(split(data["Xi"]))
     return certificate("cyclic_spsa", "assumptions", data, witness)
 
 
@@ -59,6 +60,7 @@ def refuted(
         return None
     name, vector, miss, text = found
     witness = [matrix_item([[x] for x in vector])] if vector else []
+    witness += semidefinite_items(split(block.noise))
     data = constant_data(block, kurtosis, constants)
     return Answer(
         verdict="REFUTED",

@@ -20,7 +20,9 @@ LEVEL = f"((({PULL})*({PULL}) + 4*T(eta)*H*Xi*H*eta + 2*{SPREAD})/4)"
 """Q, b and e."""
 
 UNIT = "exists(I, I*H == H)"
-SETTING = ("pd(H)", "Xi == T(Xi)", "kappa >= -2", "kappa*(Xi - diag(Xi)) == 0*Xi")
+SIZES = ("Xi - T(Xi) == 0*H", "T(eta)*eta >= 0", "0*(eta*T(eta)) == 0*H")
+"""Xi is symmetric and as large as H, and eta a column of as many entries."""
+SETTING = ("pd(H)", *SIZES, "kappa >= -2", "kappa*(Xi - diag(Xi)) == 0*Xi")
 INPUTS = {"H": "matrix", "Xi": "matrix", "eta": "matrix"} | dict.fromkeys(
     ("kappa", "mu", "M", "c2", "c3", "c4", "delta"), "number"
 )
@@ -39,6 +41,10 @@ def semidefinite(matrix: str, name: str) -> str:
     return f"exists({left}, exists({pivots}, pd(diag({pivots})), {factored}))"
 
 
+NOISE = semidefinite("Xi", "0")
+"""Xi is a covariance."""
+
+
 def _holds() -> Case:
     words = (
         "mu, M, c2, delta and, for every x, c3 and c4 are constants of Assumptions 1 to 5: "
@@ -49,6 +55,7 @@ def _holds() -> Case:
     show = (
         *SETTING,
         UNIT,
+        "mu > 0",
         semidefinite("H - mu*I", "1"),
         semidefinite("M*I - H", "2"),
         "c2 >= trace(H*Xi*H)",
@@ -56,12 +63,13 @@ def _holds() -> Case:
         f"exists(z, (c3*I - {FORM})*z == {SLOPE}, c4 >= {LEVEL} + T({SLOPE})*z)",
         "delta >= 0",
         "delta**2 >= T(eta)*eta",
+        NOISE,
     )
     return Case("PROVED", COST + words, show)
 
 
 def _fails(words: str, *show: str) -> Case:
-    return Case("REFUTED", COST + words, (*SETTING, *show))
+    return Case("REFUTED", COST + words, (*SETTING, *show, NOISE))
 
 
 def _assumptions() -> Statement:
@@ -114,6 +122,7 @@ def _of_all() -> Statement:
         *SETTING,
         UNIT,
         "H == high*I",
+        "mu > 0",
         "mu <= low",
         "M >= high",
         "c2 >= high**2*trace(Xi)",
@@ -121,6 +130,7 @@ def _of_all() -> Statement:
         f"c4 >= high**2*({FURTHER} + 2*({MOVED} + trace(Xi))*trace(Xi) + {FOURTH})/2",
         "delta >= 0",
         "delta**2 >= T(eta)*eta",
+        NOISE,
     )
     relies = (
         "mean value theorem and Taylor's remainder: |grad f(x) - grad f(y)| <= high |x - y|, "
@@ -144,8 +154,9 @@ def _of_two() -> Statement:
     show = (
         "pd(H)",
         "pd(G)",
-        "Xi == T(Xi)",
+        *SIZES,
         f"exists(y, ({mean})*({mean}) > 4*(c3*T(y)*y + c4))",
+        NOISE,
     )
     inputs = dict.fromkeys(("H", "G", "Xi", "eta"), "matrix") | dict.fromkeys(
         ("c3", "c4"), "number"

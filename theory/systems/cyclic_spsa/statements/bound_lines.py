@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 
 from ..bounds import GIVEN, PRINTED, Bound, Definition
 
 Cost = Callable[[str], str]
 SIGNS = ("1", "-1")
+NOT_NEGATIVE = ("delta", "c2", "c3", "c4", "c_v2", "ratio", "level")
 
 
 def inputs_of(bound: Bound, given: Iterable[str] = GIVEN) -> dict[str, str]:
@@ -23,8 +25,11 @@ def promise(bound: Bound = PRINTED) -> tuple[str, ...]:
     """
     rounded = ("root_d > 0", "root_d**2 >= d", "root_k > 0", "root_k**2 >= k")
     sound = ("d >= 1", "k >= 1", "mu > 0", "M >= mu", "beta > 0", "0 < alpha", "alpha < limit")
+    used = set(re.findall(r"[a-zA-Z_][a-zA-Z_0-9]*", " ".join(x.text for x in bound.definitions)))
+    given = used - {line.name for line in bound.definitions}
+    spreads = tuple(f"{name} >= 0" for name in NOT_NEGATIVE if name in given)
     root = ("root_q > 0", "root_q**2 >= q")
-    lines = (*map(_defined, bound.limit), *sound, *map(_defined, bound.lines), *root)
+    lines = (*map(_defined, bound.limit), *sound, *spreads, *map(_defined, bound.lines), *root)
     return (*rounded, *lines, _defined(bound.value))
 
 

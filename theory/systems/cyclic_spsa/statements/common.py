@@ -31,9 +31,15 @@ WELL_POSED = (
     "k >= 1",
     "(reading - 1)*(reading - 2) == 0",
     f"pd{HESSIAN}",
-    "Xi == T(Xi)",
+    "T(h)*h >= 0",
+    "T(eta)*eta >= 0",
+    f"Xi - T(Xi) == 0*{HESSIAN}",
 )
-"""Predicates that the data are those of a block; what is missing is `COVARIANCE`."""
+"""Predicates that the data are those of a block; what is missing is `COVARIANCE`.
+
+A matrix of one entry multiplies any other as a number does, so that sizes are asked for: h and eta
+are columns, and Xi is as large as the Hessian. The sum Xi + eta eta' in `NU` fits eta to both.
+"""
 
 COVARIANCE = "exists(F, exists(G, pd(G), exists(f, f > 0, f*Xi == F*G*T(F))))"
 """Xi is positive semidefinite."""

@@ -122,9 +122,17 @@ STATEMENTS: tuple[Statement, ...] = (
     case(
         "PROVED",
         "eq_6_reduced_formation",
-        "for these numbers: I is the identity (I > 0 and II = I), N is a basis of the kernel of H, "
-        "W and Y are the inverses of N'N and HH', and N W N' + H'Y H = I",
-        ("pd(I)", "I*I == I", "H*N == 0*(H*N)", "N*W*T(N) + T(H)*Y*H == I"),
+        "for these numbers: I is the identity (I > 0 and II = I), the rows of H and the columns of "
+        "N are independent, N is a basis of the kernel of H, W and Y are the inverses of N'N and "
+        "HH', and N W N' + H'Y H = I",
+        (
+            "pd(I)",
+            "I*I == I",
+            "H*N == 0*(H*N)",
+            "N*W*T(N) + T(H)*Y*H == I",
+            "pd(H*T(H))",
+            "pd(T(N)*N)",
+        ),
         dict.fromkeys(("I", "H", "N", "W", "Y"), "matrix"),
     ),
     case(

@@ -28,6 +28,7 @@ def _network() -> Statement:
     within = semidefinite("diag(2*unit - upper*load)", "1")
     show = (
         "pd(diag(h))",
+        "pd(diag(s))",
         "beta > 0",
         "(reading - 1)*(reading - 2) == 0",
         "exists(one, diag(h)*one == h)",
@@ -35,6 +36,7 @@ def _network() -> Statement:
         "exists(unit, diag(load)*unit == load, T(G)*unit == one)",
         within,
         worst,
+        "exists(p, exists(q, e == diag(p)*p + diag(q)*q))",
     )
     inputs = dict.fromkeys(("G", "h", "s", "e"), "matrix") | dict.fromkeys(
         ("beta", "reading"), "number"

@@ -88,7 +88,8 @@ def _kept(limit: str) -> str:
 def _kept_line(limit: str) -> str:
     """x exists, not 0, with L(xx') = xx' at the step `limit`."""
     q, pull, kick = _stays("(x*T(x))")
-    return f"exists(x, T(x)*x > 0, exists(Q, Q == {q}, {limit}*({kick}) == {pull}))"
+    kept = f"exists(Q, Q == {q}, {limit}*({kick}) == {pull})"
+    return f"exists(x, T(x)*x > 0, 0*(x*T(x)) == 0*{HESSIAN}, {kept})"
 
 
 NOT_DECAYING = f"exists(c, alpha >= c, c > 0, {_kept('c')})"

@@ -23,7 +23,10 @@ H, P = letters("H P", SYMMETRIC)
 MEAN = f"exists(m, alpha*{HESSIAN}*((2*k - (reading - 1)/2)*eta - m) == 2*k*eta)"
 """m is where the mean of theta_hat - theta right after an update settles."""
 
-LIMITS = "where theta_hat - theta right after an update settles, for Gaussian noise: "
+LIMITS = (
+    "where theta_hat - theta right after an update, one every 2k samples, settles, for Gaussian "
+    "noise: "
+)
 
 
 def _of(form: Form, inner: str) -> str:
@@ -47,7 +50,9 @@ def _side(matrix: str, inner: str, sign: str, end: str) -> str:
     more = f"{image} - R" if sign == "<=" else f"R - ({image})"
     whole = f"exists({inner}, {inner} == {HESSIAN}*{matrix}*{HESSIAN}, pd({more}))"
     bound = f"trace({matrix}) + T(m)*m {sign} {end}"
-    return f"exists({matrix}, {matrix} == T({matrix}), {whole}, {bound})"
+    # a matrix of one entry would stand for a multiple of the identity, with another trace
+    square = f"{matrix} - T({matrix}) == 0*{HESSIAN}"
+    return f"exists({matrix}, {square}, {whole}, {bound})"
 
 
 def _mean_square() -> Statement:

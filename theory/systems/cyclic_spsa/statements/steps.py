@@ -155,7 +155,15 @@ def _neighbours() -> Statement:
         "C has c_jk > 0 and c_kj = 0 for the sensors j and k of the unit vectors a and b: sensor j "
         "can speak to k, and {i : c_ik > 0}, the set of column k, holds j, while k cannot speak "
         "to j",
-        ("T(a)*a == 1", "T(b)*b == 1", "T(a)*b == 0", "T(a)*C*b > 0", "T(b)*C*a == 0"),
+        (
+            "T(a)*a == 1",
+            "diag(a)*a == a",
+            "T(b)*b == 1",
+            "diag(b)*b == b",
+            "T(a)*b == 0",
+            "T(a)*C*b > 0",
+            "T(b)*C*a == 0",
+        ),
         {"C": "matrix", "a": "matrix", "b": "matrix"},
     )
 
@@ -168,7 +176,8 @@ STATEMENTS: tuple[Statement, ...] = (
         "REFUTED",
         "the step whose number is `needed` takes the measurement that only the later step `known` "
         "gets: 4 and 6 for steps 3.4 and 3.6",
-        "needed > 0",
+        "needed == 4",
+        "known == 6",
         "needed < known",
     ),
     _order(
@@ -176,7 +185,8 @@ STATEMENTS: tuple[Statement, ...] = (
         "PROVED",
         "the step whose number is `needed` takes the measurement that the earlier step `known` "
         "gets: 4 and 3 for steps 3.4 and 3.3",
-        "known > 0",
+        "needed == 4",
+        "known == 3",
         "needed > known",
     ),
     _inactive("algorithm_1_inactive_observed", "an observed coordinate of an inactive target"),

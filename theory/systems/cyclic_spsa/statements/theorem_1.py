@@ -112,8 +112,8 @@ def _every_x() -> Statement:
         "because the discriminant of the difference is not positive: Assumption 5 is met at every "
         "point. Yet the mean square of the error grows by growth > 1 in every step: with y the "
         "error before it, seen from the middle of the two targets, the mean square of y after it "
-        "is growth y^2 - 4 (1 - alpha) delta y + 4 delta^2, and the mean of y is negative in the "
-        "long run"
+        "is growth y^2 - 4 (1 - alpha) delta y + 4 delta^2, and the mean of y is (1 - alpha) times "
+        "that before less 2 delta, so that it is negative in the long run"
     )
     steps = [f"({update(s, '(y - delta/2)', '(y + delta/2)')} - 3*delta/2)" for s in SIGNS]
     after = "growth*y**2 - 4*(1 - alpha)*delta*y + 4*delta**2"
@@ -124,6 +124,7 @@ def _every_x() -> Statement:
         "c4 > delta**4/4",
         "4*(c3 - delta**2)*(c4 - delta**4/4) >= delta**3*delta**3",
         f"forall(y, 0, 1, {mean_square(steps)} == {after})",
+        f"forall(y, 0, 1, {mean(steps)} == (1 - alpha)*y - 2*delta)",
         "growth > 1",
     )
     return refuted("theorem_1_interval_every_point", words, show, ("growth",))
@@ -218,7 +219,7 @@ STATEMENTS: tuple[Statement, ...] = (
     _noise_divergence(),
     _every_x(),
     _additive("theorem_1_bound_noise", "measured with additive noise v", "c_v^2"),
-    _additive("theorem_1_bound_level", "+ w with a level w", "c4"),
+    _additive("theorem_1_bound_level", "+ w with a level w, two instants,", "c4"),
     _walk(),
     _found(),
     *theorem_1_examples.STATEMENTS,

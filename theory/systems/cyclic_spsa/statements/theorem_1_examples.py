@@ -50,7 +50,7 @@ def _bound_units() -> Statement:
     words = (
         "one problem in two units of length, a length of 1 in the first being one of scale in the "
         "second, whose constants have `_new` in their names; the unit of the cost stays. (21) "
-        "promises at most `bound` in the first (roots rounded up), and in the second at least "
+        "promises at most `bound` in the first (a root rounded up), and in the second at least "
         "k^(1/2)(b_new + low)/m_new (low a root rounded down), which is more than twice the first "
         "promise, converted"
     )
@@ -59,6 +59,8 @@ def _bound_units() -> Statement:
         *promise(),
         *moved,
         *map(renamed, promise()),
+        "root_d**2 == d",
+        "root_k**2 == k",
         "low >= 0",
         "low**2 <= q_new",
         "(b_new + low)/m_new > 2*scale*bound",

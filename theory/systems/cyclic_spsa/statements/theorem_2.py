@@ -14,7 +14,10 @@ from .theorem_2_proofs import UNIVERSAL
 
 NUMBERS_2 = inputs_of(PRINTED_2, GIVEN_2)
 WEIGHT = "K/(n*high)"
-ONE_TARGET = ("n == 1", "d == 2", "k == 1", "low == high", "K == high", "ratio == 1", "level == 0")
+ONE_TARGET = (
+    *("n == 1", "d == 2", "k == 1", "low == high", "K == high", "high > 0"),
+    *("ratio == 1", "level == 0"),
+)
 """One sensor, one target, noise with |xi|^2 = sigma^2 = high, so that the Hessian is 1."""
 SETTING = (
     "one sensor, one target, K = sigma^2, so that the cost is |x - theta - xi|^2/2; xi is one of "
@@ -31,6 +34,7 @@ NESTED_TARGET = (
     "k == 1",
     "M == mu",
     "(mu - 1)*(2*mu - 1) == 0",
+    "high > 0",
     "c2 == mu*high",
     "c3 == 0",
     "c4 == 0",
@@ -162,24 +166,27 @@ def _c4() -> Statement:
     return _refuted("theorem_2_c4", words, show, names)
 
 
-def _c4_sign() -> Statement:
+def _c4_unlike() -> Statement:
     words = (
-        "targets whose noise has |xi|^2 = sigma^2/2 in these samples, where sigma^2 = high is the "
-        "largest variance at any time: the change of the cost at the true positions is zero, and "
-        "the printed bound on its square is negative"
+        "a target whose noise is on a circle, |xi|^2 = sigma^2 = high, in one sample and zero in "
+        "the sample before, so that E|xi|^4 is at most fourth = sigma^4 in both and sigma^2 is the "
+        "largest variance: the cost at the true position changes by K/(2 n sigma^2) |xi|^2 = "
+        "change, and the printed bound on its square is 0"
     )
     show = (
         "K > 0",
         "n >= 1",
         "high > 0",
-        "targets >= 1",
-        "fourth == (high/2)*(high/2)",
+        "targets == 1",
+        "fourth == high*high",
         LEVEL,
         f"c4 == {C4.text}",
-        "c4 < 0",
+        "change == K/(2*n*high)*high",
+        "c4 == 0",
+        "change > 0",
     )
-    names = ("K", "n", "high", "targets", "fourth", "level", "c4")
-    return _refuted("theorem_2_c4_sign", words, show, names)
+    names = ("K", "n", "high", "targets", "fourth", "level", "c4", "change")
+    return _refuted("theorem_2_c4_unlike", words, show, names)
 
 
 def _nested() -> Statement:
@@ -187,7 +194,8 @@ def _nested() -> Statement:
         "the printed l_bar of Theorem 2 is another number than that of Theorem 1 with the same "
         "constants"
     )
-    show = (*promise(PRINTED_2), f"nested == {NESTED}", "l_bar != nested")
+    sensor = ("n >= 1", "K > 0", "high >= low", "low > 0")
+    show = (*promise(PRINTED_2), *sensor, f"nested == {NESTED}", "l_bar != nested")
     return _refuted("theorem_2_l", words, show, NUMBERS_2 | {"nested": "number"})
 
 
@@ -235,9 +243,9 @@ def _diverges(name: str, bound: Bound, promised: str, fixed: tuple[str, ...]) ->
         *promise(bound),
         *fixed,
         "delta == 0",
-        "high > 0",
         *WELL_POSED,
         IDENTITY,
+        "trace(I) == d",
         "diag(h) == 1*I",
         "H == 0*I",
         "Xi == high/2*I",
@@ -256,7 +264,7 @@ STATEMENTS: tuple[Statement, ...] = (
     _c2(),
     _every_point(),
     _c4(),
-    _c4_sign(),
+    _c4_unlike(),
     _nested(),
     _diverges("theorem_2_interval", PRINTED_2, PROMISED_2, ONE_TARGET),
     _diverges("theorem_2_interval_nested", PRINTED, PROMISED_1, NESTED_TARGET),
