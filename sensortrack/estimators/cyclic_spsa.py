@@ -210,7 +210,8 @@ class CyclicSpsa:
 
     def _first(self, turn: Turn, state: SpsaState, seen: Mapping[str, PolarView]) -> SpsaState:
         """Costs of the block at its first sample."""
-        costs = self._costs(generated.first_cost, turn, state, seen)
+        probes = self.perturbation(turn.cycle).tolist()
+        costs = self._costs(generated.first_cost, turn, probes, state, seen)
         missing = self._missing(turn, seen)
         status = SpsaStatus(turn, left_out=missing)
         return SpsaState(state.time + 1, state.positions, costs, status, self._notes(missing))
@@ -218,13 +219,14 @@ class CyclicSpsa:
     def _second(self, turn: Turn, state: SpsaState, seen: Mapping[str, PolarView]) -> SpsaState:
         """Costs at the second sample, and the update by their difference."""
         blank, early = np.full(len(self.targets), np.nan), state.costs
+        probes = self.perturbation(turn.cycle).tolist()
         if self.reading == "one":
-            early = self._costs(generated.first_cost, turn, state, seen)
-        late = self._costs(generated.second_cost, turn, state, seen)
+            early = self._costs(generated.first_cost, turn, probes, state, seen)
+        late = self._costs(generated.second_cost, turn, probes, state, seen)
         block, used = self._block(turn), ~np.isnan(early + late)
         rows = [i for i, _ in block if used[i]]
         costs = [sum(found[i] for i in rows) for found in (early.tolist(), late.tolist())]
-        positions, probes = state.positions.copy(), self.perturbation(turn.cycle).tolist()
+        positions = state.positions.copy()
         for i in rows:
             now = state.positions[i].tolist()
             positions[i] = generated.update(self.contexts[i], now, (*probes[i], *costs))
@@ -239,11 +241,15 @@ class CyclicSpsa:
         return SpsaState(state.time + 1, positions, blank, status, notes)
 
     def _costs(
-        self, formula: Formula, turn: Turn, state: SpsaState, seen: Mapping[str, PolarView]
+        self,
+        formula: Formula,
+        turn: Turn,
+        probes: Sequence[Sequence[float]],
+        state: SpsaState,
+        seen: Mapping[str, PolarView],
     ) -> Floats:
         """Cost of each target of the block, NaN where it is not measured."""
         found = np.full(len(self.targets), np.nan)
-        probes = self.perturbation(turn.cycle).tolist()
         for i, target in self._block(turn):
             if target in seen:
                 group = (*probes[i], *self.measured(seen[target]))

@@ -23,7 +23,8 @@ class SpsaStatus:
     updated : tuple of str
         Targets whose estimate the sample has moved.
     left_out : tuple of str
-        Targets of the block that are left out of both costs, since a measurement is missing.
+        Targets of the block that are left out of both costs, since a measurement is missing or the
+        estimate has run away to no number.
     """
 
     turn: Turn | None = None
