@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from unittest import mock
 
 from verification.certificates import check
 from verification.certificates.make import CertificateError, Prover
@@ -91,6 +92,13 @@ def judged(made, path, known):
     """Entry and exit status of one document, read from a file."""
     path.write_text(made if isinstance(made, str) else json.dumps(made), encoding="utf-8")
     return check.check_file(str(path), known)
+
+
+def judged_in_memory(made, known):
+    """As `judged` says, without the way through a file: forgeries are many."""
+    read = json.loads(json.dumps(made))
+    with mock.patch.object(check, "read_json", return_value=read):
+        return check.check_file("in memory", known)
 
 
 def provable(show, inputs, kinds=None, witness=()):

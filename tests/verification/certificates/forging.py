@@ -1,16 +1,17 @@
 """Tools of a forger, and what is asked of every forgery."""
 
 import copy
+import random
 
 from verification.certificates import check
 
-from .documents import judged
+from .documents import judged_in_memory
 from .truths import is_true
 
 
-def refused_or_restated(forged, known, path):
+def refused_or_restated(forged, known):
     """True if refused; else the forged data are printed, and the statement is true of them."""
-    entry, status = judged(forged, path, known)
+    entry, status = judged_in_memory(forged, known)
     assert status in (0, 1, 2)
     if not entry["valid"]:
         assert status != 0
@@ -21,6 +22,13 @@ def refused_or_restated(forged, known, path):
     assert (entry["lower"], entry["upper"]) == (forged.get("lower"), forged.get("upper"))
     assert is_true(entry), entry
     return False
+
+
+def share(items, most, seed):
+    """All of a few items; of many, as many as are given, in their order and drawn by the seed."""
+    places = range(len(items))
+    drawn = random.Random(seed).sample(places, min(most, len(items)))
+    return [items[k] for k in sorted(drawn)]
 
 
 def leaves(value, path=()):
