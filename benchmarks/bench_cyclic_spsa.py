@@ -14,7 +14,7 @@ from sensortrack.kernels.build import kernel
 from sensortrack.normal_numbers import TABLE
 from sensortrack.simulation.spsa_batch import SpsaBatch
 from verification.exact.rationals import parse_exact
-from verification.systems.cyclic_spsa.stability import step_limit
+from verification.systems.cyclic_spsa.stability.steps import step_limit
 
 UPDATES, SKIP = 200, 100
 SIZES = {"one target": 2, "six targets": 12}

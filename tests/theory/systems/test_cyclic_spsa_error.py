@@ -14,7 +14,7 @@ from theory.systems.cyclic_spsa.error import adjoint, error_step, read, second_m
 from theory.systems.cyclic_spsa.statements.stability import adjoint_pull_and_kick, pull_and_kick
 from verification.exact.evaluate import Rows, add, multiply, quadratic, scaled
 from verification.systems.cyclic_spsa.block_inputs import Block
-from verification.systems.cyclic_spsa.moments import exact_operators, fmpq, rows_of
+from verification.systems.cyclic_spsa.stability.moments import exact_operators, fmpq, rows_of
 
 SIZE = 2
 

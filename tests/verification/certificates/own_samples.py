@@ -4,8 +4,11 @@ from fractions import Fraction
 
 import numpy as np
 
-from verification.systems.cyclic_spsa.assumptions import assumption_constants, decide_assumptions
-from verification.systems.cyclic_spsa.network import network_step_limit
+from verification.systems.cyclic_spsa.assumptions.sharp import (
+    assumption_constants,
+    decide_assumptions,
+)
+from verification.systems.cyclic_spsa.network.limits import network_step_limit
 
 ONE = Fraction(1)
 NAMES = ("mu", "M", "c2", "c3", "c4", "delta")

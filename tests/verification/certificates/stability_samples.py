@@ -4,8 +4,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from verification.systems.cyclic_spsa.stability import decide_step, step_limit
-from verification.systems.cyclic_spsa.stationary import stationary_mse
+from verification.systems.cyclic_spsa.errors.stationary import stationary_mse
+from verification.systems.cyclic_spsa.stability.steps import decide_step, step_limit
 
 ZERO, ONE, BETA = ((Fraction(0),),), Fraction(1), Fraction(2, 5)
 COUPLED = ((ONE, Fraction(9, 10)), (Fraction(9, 10), ONE))

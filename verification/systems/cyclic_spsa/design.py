@@ -13,17 +13,17 @@ from verification.enclosures import ends
 from verification.exact.evaluate import identity
 from verification.exact.rationals import above, below
 
-from .best_step import best_step
 from .block_inputs import BLOCK, BLOCKS, DRIFT, HESSIAN, NOISE, Block, block_of
-from .limits import limit_of
-from .network import network_step_limit
-from .network_errors import errors_of
-from .network_inputs import NETWORK, network_of
-from .network_plans import plans_of
-from .second_moments import BITS, moments_of
-from .settling import Settling, mean_square
-from .stability import decide_step
-from .stationary import LAW, law_of
+from .errors.best_step import best_step
+from .errors.second_moments import BITS, moments_of
+from .errors.settling import Settling, mean_square
+from .errors.stationary import LAW, law_of
+from .network.errors import errors_of
+from .network.inputs import NETWORK, network_of
+from .network.limits import network_step_limit
+from .network.plans import plans_of
+from .stability.limits import limit_of
+from .stability.steps import decide_step
 
 DIGITS = 6
 FEW_DIGITS = 4
@@ -117,12 +117,12 @@ def step_for_network(values: Mapping[str, Any]) -> Designed:
     Parameters
     ----------
     values : mapping
-        The inputs of `network_inputs.NETWORK`; ``law``.
+        The inputs of `network.inputs.NETWORK`; ``law``.
 
     Raises
     ------
     InputError
-        As `network.network_step_limit`; no target moves; an unknown law.
+        As `network.limits.network_step_limit`; no target moves; an unknown law.
     """
     import flint
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from .expected import expected, setting_of
-from .frozen import frozen_error
+from .running.expected import expected, setting_of
+from .running.frozen import frozen_error
 
 
 def envelopes(run: Mapping[str, Any]) -> list[dict[str, Any]]:

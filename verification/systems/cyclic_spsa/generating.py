@@ -13,7 +13,7 @@ from verification.exact.evaluate import Rows, identity, scaled
 from verification.input_kinds import positive
 
 from .block_inputs import ALPHA, BETA, HESSIAN, hessian_of
-from .stability import decide_step
+from .stability.steps import decide_step
 
 __all__ = ["INPUTS", "STEPPER", "constants"]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from verification.answers import Condition, Quantity
 
-from .assumptions import COST, GIVEN, WANTED_C3, assumption_constants, decide_assumptions
-from .network import LIMITED, network_step_limit
-from .network_errors import ERROR, network_error
-from .network_times import AHEAD, network_schedule
+from .assumptions.sharp import COST, GIVEN, WANTED_C3, assumption_constants, decide_assumptions
+from .network.errors import ERROR, network_error
+from .network.limits import LIMITED, network_step_limit
+from .network.times import AHEAD, network_schedule
 
 QUANTITIES: tuple[Quantity, ...] = (
     Quantity(

@@ -5,16 +5,16 @@ from __future__ import annotations
 from verification.answers import Condition, Quantity
 
 from . import own_questions
-from .almost_sure import almost_sure_limit, lyapunov_exponent
-from .best_step import best_step
 from .block_inputs import ALPHA, BLOCK
-from .bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
-from .cycles import CYCLE, blocks_step_limit
-from .measurement_moments import MEASUREMENT, measurement_moments
-from .radius import spectral_radius
-from .random_walks import WALK, random_walk_mse
-from .stability import decide_step, step_limit
-from .stationary import BEST, MEAN, MEAN_SQUARE, stationary_mean, stationary_mse
+from .errors.best_step import best_step
+from .errors.random_walks import WALK, random_walk_mse
+from .errors.stationary import BEST, MEAN, MEAN_SQUARE, stationary_mean, stationary_mse
+from .network.measurement_moments import MEASUREMENT, measurement_moments
+from .printed.bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
+from .stability.almost_sure import almost_sure_limit, lyapunov_exponent
+from .stability.cycles import CYCLE, blocks_step_limit
+from .stability.radius import spectral_radius
+from .stability.steps import decide_step, step_limit
 
 QUANTITIES: tuple[Quantity, ...] = (
     Quantity("step_limit", "supremum of alpha with mean-square stability", BLOCK, step_limit, True),

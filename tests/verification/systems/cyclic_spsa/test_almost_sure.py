@@ -11,8 +11,11 @@ from scipy.integrate import quad
 from sensortrack.errors import InputError
 from tests.strategies import rationals
 from verification.exact.log_means import LONG, gaussian_log_mean
-from verification.systems.cyclic_spsa.almost_sure import almost_sure_limit, lyapunov_exponent
-from verification.systems.cyclic_spsa.stability import step_limit
+from verification.systems.cyclic_spsa.stability.almost_sure import (
+    almost_sure_limit,
+    lyapunov_exponent,
+)
+from verification.systems.cyclic_spsa.stability.steps import step_limit
 
 
 def scalar(noise=0, drift=0, **changes):

@@ -6,7 +6,7 @@ from fractions import Fraction
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from verification.systems.cyclic_spsa.assignment import (
+from verification.systems.cyclic_spsa.network.assignment import (
     balanced_blocks,
     best_sources,
     nearest_sources,

@@ -13,14 +13,14 @@ from verification.certificates import check
 from verification.certificates.make import statements
 from verification.exact.evaluate import dot, quadratic
 from verification.inputs import read_inputs
-from verification.systems.cyclic_spsa.assumptions import (
+from verification.systems.cyclic_spsa.assumptions.constants import NAMES
+from verification.systems.cyclic_spsa.assumptions.sharp import (
     COST,
     GIVEN,
     WANTED_C3,
     assumption_constants,
     decide_assumptions,
 )
-from verification.systems.cyclic_spsa.constants import NAMES
 
 SMALL = st.integers(-4, 4).map(lambda k: Fraction(k, 2))
 POSITIVE = st.integers(1, 6).map(lambda k: Fraction(k, 2))

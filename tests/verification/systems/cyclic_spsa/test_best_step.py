@@ -9,8 +9,8 @@ from scipy.optimize import minimize_scalar
 
 from sensortrack.errors import InputError
 from verification.inputs import read_inputs
-from verification.systems.cyclic_spsa.best_step import best_step
-from verification.systems.cyclic_spsa.stationary import BEST, stationary_mse
+from verification.systems.cyclic_spsa.errors.best_step import best_step
+from verification.systems.cyclic_spsa.errors.stationary import BEST, stationary_mse
 
 FULL = [["2", "0.5"], ["0.5", "1"]]
 NOISE = [["0.3", "0.1"], ["0.1", "0.2"]]

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sensortrack.errors import InputError
 from theory.systems.cyclic_spsa.bounds import PRINTED, PROVED, unit_clashes
-from verification.systems.cyclic_spsa.bounds import (
+from verification.systems.cyclic_spsa.printed.bounds import (
     corrected_bound,
     printed_bound,
     printed_interval,

@@ -11,11 +11,15 @@ from sensortrack.simulation.ranging import moments
 from sensortrack.simulation.spsa_settings import variants
 from sensortrack.simulation.spsa_teams import team_of
 from verification.inputs import read_inputs
-from verification.systems.cyclic_spsa.confirmed import confirm_mean, confirm_mean_square
-from verification.systems.cyclic_spsa.expected_squares import Setting, expected_squares
-from verification.systems.cyclic_spsa.frozen import frozen_blocks, frozen_error
-from verification.systems.cyclic_spsa.stability import step_limit
-from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE, stationary_mean, stationary_mse
+from verification.systems.cyclic_spsa.errors.stationary import (
+    MEAN_SQUARE,
+    stationary_mean,
+    stationary_mse,
+)
+from verification.systems.cyclic_spsa.running.confirmed import confirm_mean, confirm_mean_square
+from verification.systems.cyclic_spsa.running.expected_squares import Setting, expected_squares
+from verification.systems.cyclic_spsa.running.frozen import frozen_blocks, frozen_error
+from verification.systems.cyclic_spsa.stability.steps import step_limit
 
 NOISE = [["0.3", "0.1"], ["0.1", "0.2"]]
 DRIFT = ["0.1", "-0.2"]

@@ -9,8 +9,8 @@ from sensortrack.errors import InputError
 from verification.certificates import check
 from verification.certificates.make import statements
 from verification.inputs import read_inputs
-from verification.systems.cyclic_spsa.cycles import LISTS, blocks_step_limit
-from verification.systems.cyclic_spsa.stability import step_limit
+from verification.systems.cyclic_spsa.stability.cycles import LISTS, blocks_step_limit
+from verification.systems.cyclic_spsa.stability.steps import step_limit
 
 NOISE = ((1, 0, 0, 0), (0, 2, 0, 0), (0, 0, 3, 1), (0, 0, 1, 3))
 

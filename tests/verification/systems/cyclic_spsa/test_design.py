@@ -10,9 +10,9 @@ from verification.certificates.make import statements
 from verification.cli.design import _matching
 from verification.inputs import read_inputs
 from verification.systems.cyclic_spsa.design import DESIGNS
-from verification.systems.cyclic_spsa.network import LIMITED, network_step_limit
-from verification.systems.cyclic_spsa.network_errors import ERROR, network_error
-from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE, stationary_mse
+from verification.systems.cyclic_spsa.errors.stationary import MEAN_SQUARE, stationary_mse
+from verification.systems.cyclic_spsa.network.errors import ERROR, network_error
+from verification.systems.cyclic_spsa.network.limits import LIMITED, network_step_limit
 
 from .networks import PLAIN
 

@@ -11,7 +11,7 @@ from sensortrack.simulation.scenario import scenario_of
 from tests.sensortrack.test_spsa_simulation import BASE, changed
 from verification.statistics import mean_interval
 from verification.systems.cyclic_spsa.envelopes import envelopes, expectations
-from verification.systems.cyclic_spsa.expected import setting_of
+from verification.systems.cyclic_spsa.running.expected import setting_of
 
 SEEDS = range(40)
 TIMES = (12, 25, 60)

@@ -10,7 +10,7 @@ import math
 import numpy as np
 import pytest
 
-from verification.systems.cyclic_spsa.expected_squares import Setting, expected_squares
+from verification.systems.cyclic_spsa.running.expected_squares import Setting, expected_squares
 
 NODES = ((-math.sqrt(3), 1 / 6), (0.0, 2 / 3), (math.sqrt(3), 1 / 6))
 SENSORS = np.array([[0.0, 0.0], [100.0, 20.0]])

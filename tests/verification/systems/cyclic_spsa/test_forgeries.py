@@ -12,8 +12,8 @@ from verification.adversary.spsa_violations import Point
 from verification.certificates.make import CertificateError, certificate
 from verification.inputs import read_inputs
 from verification.systems.cyclic_spsa.claims.theorem_2 import UNIT, constants, diverging, lagging
-from verification.systems.cyclic_spsa.promises import promised, promised_2
-from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE, stationary_mse
+from verification.systems.cyclic_spsa.errors.stationary import MEAN_SQUARE, stationary_mse
+from verification.systems.cyclic_spsa.printed.promises import promised, promised_2
 
 EYE = [[1, 0], [0, 1]]
 ZERO = [[0, 0], [0, 0]]

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sensortrack.errors import InputError
-from verification.systems.cyclic_spsa.measurement_moments import measurement_moments
+from verification.systems.cyclic_spsa.network.measurement_moments import measurement_moments
 
 HALF_DEGREE = Fraction(pi / 360)
 

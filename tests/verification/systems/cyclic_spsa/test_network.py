@@ -14,11 +14,11 @@ from verification.certificates import check
 from verification.certificates.make import statements
 from verification.inputs import read_inputs
 from verification.systems.cyclic_spsa.block_inputs import BLOCK, block_of
-from verification.systems.cyclic_spsa.network import LIMITED, network_step_limit
-from verification.systems.cyclic_spsa.network_inputs import network_of
-from verification.systems.cyclic_spsa.network_plans import block_of_plan, plans_of
-from verification.systems.cyclic_spsa.network_times import AHEAD, network_schedule
-from verification.systems.cyclic_spsa.witnesses import diagonal_limit
+from verification.systems.cyclic_spsa.network.inputs import network_of
+from verification.systems.cyclic_spsa.network.limits import LIMITED, network_step_limit
+from verification.systems.cyclic_spsa.network.plans import block_of_plan, plans_of
+from verification.systems.cyclic_spsa.network.times import AHEAD, network_schedule
+from verification.systems.cyclic_spsa.stability.witnesses import diagonal_limit
 
 from .networks import PLAIN, networks
 

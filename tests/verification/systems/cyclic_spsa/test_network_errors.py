@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 
 from sensortrack.errors import InputError
 from verification.inputs import read_inputs
-from verification.systems.cyclic_spsa.confirmed import confirm_mean_square
-from verification.systems.cyclic_spsa.network import LIMITED, network_step_limit
-from verification.systems.cyclic_spsa.network_errors import ERROR, network_error
-from verification.systems.cyclic_spsa.network_inputs import network_of
-from verification.systems.cyclic_spsa.network_plans import block_of_plan, plans_of
-from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE
+from verification.systems.cyclic_spsa.errors.stationary import MEAN_SQUARE
+from verification.systems.cyclic_spsa.network.errors import ERROR, network_error
+from verification.systems.cyclic_spsa.network.inputs import network_of
+from verification.systems.cyclic_spsa.network.limits import LIMITED, network_step_limit
+from verification.systems.cyclic_spsa.network.plans import block_of_plan, plans_of
+from verification.systems.cyclic_spsa.running.confirmed import confirm_mean_square
 
 from .networks import PLAIN, networks
 

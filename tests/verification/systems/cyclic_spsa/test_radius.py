@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from verification.systems.cyclic_spsa.radius import spectral_radius
+from verification.systems.cyclic_spsa.stability.radius import spectral_radius
 
 from .test_stability import block, radius
 

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from sensortrack.errors import InputError
 from tests.verification.systems.cyclic_spsa.literal import LAWS, root
 from verification.inputs import read_inputs
-from verification.systems.cyclic_spsa.random_walks import WALK, random_walk_mse
-from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE, stationary_mse
+from verification.systems.cyclic_spsa.errors.random_walks import WALK, random_walk_mse
+from verification.systems.cyclic_spsa.errors.stationary import MEAN_SQUARE, stationary_mse
 
 PARTS = st.fractions(Fraction(1, 10), Fraction(3), max_denominator=10)
 

@@ -10,7 +10,7 @@ from verification.certificates import check
 from verification.certificates.make import CertificateError, statements
 from verification.systems.cyclic_spsa.claims import DECISIONS
 from verification.systems.cyclic_spsa.claims.common import replayed
-from verification.systems.cyclic_spsa.schedule_figures import (
+from verification.systems.cyclic_spsa.printed.schedule_figures import (
     age_of_the_base,
     blocks_over_time,
     lag_of_steps,

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from verification.systems.cyclic_spsa.block_inputs import Block
-from verification.systems.cyclic_spsa.direct_moments import DirectMoments
-from verification.systems.cyclic_spsa.enclosed_moments import BallMoments
-from verification.systems.cyclic_spsa.moments import fmpq
-from verification.systems.cyclic_spsa.second_moments import BITS, moments_of
-from verification.systems.cyclic_spsa.settling import Settling, mean_square, slope
-from verification.systems.cyclic_spsa.solutions import TooClose
+from verification.systems.cyclic_spsa.errors.direct_moments import DirectMoments
+from verification.systems.cyclic_spsa.errors.enclosed_moments import BallMoments
+from verification.systems.cyclic_spsa.errors.second_moments import BITS, moments_of
+from verification.systems.cyclic_spsa.errors.settling import Settling, mean_square, slope
+from verification.systems.cyclic_spsa.errors.solutions import TooClose
+from verification.systems.cyclic_spsa.stability.moments import fmpq
 
 
 def block(d, seed=0, diagonal=False, instants=2):

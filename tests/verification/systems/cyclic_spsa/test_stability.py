@@ -13,8 +13,8 @@ from tests.strategies import definite_matrices, rationals
 from verification.certificates import check
 from verification.certificates.make import statements
 from verification.exact.evaluate import scaled
-from verification.systems.cyclic_spsa.radius import spectral_radius
-from verification.systems.cyclic_spsa.stability import decide_step, step_limit
+from verification.systems.cyclic_spsa.stability.radius import spectral_radius
+from verification.systems.cyclic_spsa.stability.steps import decide_step, step_limit
 
 ZERO = ((Fraction(0),),)
 UNEVEN = ((Fraction(1), Fraction(1, 2)), (Fraction(1, 2), Fraction(2)))

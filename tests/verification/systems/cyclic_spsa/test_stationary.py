@@ -14,13 +14,13 @@ from tests.verification.systems.cyclic_spsa.literal import settled
 from verification.certificates import check
 from verification.certificates.make import statements
 from verification.inputs import read_inputs
-from verification.systems.cyclic_spsa.bounds import corrected_bound, printed_bound
-from verification.systems.cyclic_spsa.stability import step_limit
-from verification.systems.cyclic_spsa.stationary import (
+from verification.systems.cyclic_spsa.errors.stationary import (
     MEAN_SQUARE,
     stationary_mean,
     stationary_mse,
 )
+from verification.systems.cyclic_spsa.printed.bounds import corrected_bound, printed_bound
+from verification.systems.cyclic_spsa.stability.steps import step_limit
 
 
 def question(**given_):

@@ -20,14 +20,14 @@ from theory.systems.cyclic_spsa.bounds import PRINTED, PROVED, table
 from verification.adversary.spsa_violations import Point, ratios, search
 from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate, statements
-from verification.systems.cyclic_spsa.assumptions import decide_assumptions
-from verification.systems.cyclic_spsa.bounds import corrected_bound, printed_bound
+from verification.systems.cyclic_spsa.assumptions.sharp import decide_assumptions
 from verification.systems.cyclic_spsa.claims.common import proof
 from verification.systems.cyclic_spsa.claims.theorem_1 import FAST, exact_limit, multiplier
 from verification.systems.cyclic_spsa.claims.theorem_1_bound import violation, walk_moments
-from verification.systems.cyclic_spsa.looseness import CASES, Case, case, compare, compared
-from verification.systems.cyclic_spsa.promises import promised, root_above
-from verification.systems.cyclic_spsa.stationary import stationary_mse
+from verification.systems.cyclic_spsa.errors.stationary import stationary_mse
+from verification.systems.cyclic_spsa.printed.bounds import corrected_bound, printed_bound
+from verification.systems.cyclic_spsa.printed.looseness import CASES, Case, case, compare, compared
+from verification.systems.cyclic_spsa.printed.promises import promised, root_above
 from verification.verdict import Verdict
 
 VERDICTS = {

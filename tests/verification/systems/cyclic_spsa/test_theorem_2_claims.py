@@ -14,7 +14,6 @@ from theory.systems.cyclic_spsa.bounds import evaluated
 from theory.systems.cyclic_spsa.statements import theorem_2_proofs
 from theory.systems.cyclic_spsa.target_bound import C2, C4, GIVEN_2, PRINTED_2
 from verification.certificates.make import CertificateError, certificate
-from verification.systems.cyclic_spsa.bounds import printed_bound
 from verification.systems.cyclic_spsa.claims.experiment import ALPHA, VARIANCE, settled, targets
 from verification.systems.cyclic_spsa.claims.theorem_2 import (
     BETA,
@@ -25,8 +24,9 @@ from verification.systems.cyclic_spsa.claims.theorem_2 import (
     diverging,
     lagging,
 )
-from verification.systems.cyclic_spsa.promises import promised_2
-from verification.systems.cyclic_spsa.stability import step_limit
+from verification.systems.cyclic_spsa.printed.bounds import printed_bound
+from verification.systems.cyclic_spsa.printed.promises import promised_2
+from verification.systems.cyclic_spsa.stability.steps import step_limit
 from verification.verdict import Verdict
 
 VERDICTS = {

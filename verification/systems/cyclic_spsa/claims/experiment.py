@@ -9,9 +9,9 @@ from typing import Any
 from verification.certificates.make import certificate
 from verification.verdict import Decision, Verdict
 
-from ..claim_figures import steps_over_perturbations
-from ..looseness import Case
-from ..stability import decide_step, step_limit
+from ..printed.claim_figures import steps_over_perturbations
+from ..printed.looseness import Case
+from ..stability.steps import decide_step, step_limit
 from .common import disproof, proofs
 
 ALPHA, BETA = Fraction(1, 20), Fraction(3, 100)

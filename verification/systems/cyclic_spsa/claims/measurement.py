@@ -9,7 +9,7 @@ from fractions import Fraction
 from theory.algebra.moments import COSINE
 from verification.verdict import Decision, Verdict
 
-from ..measurement_figures import ellipses, mirrored
+from ..printed.measurement_figures import ellipses, mirrored
 from . import cost, moments
 from .common import column, disproof, proofs, replayed
 

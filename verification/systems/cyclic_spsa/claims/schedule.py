@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from theory.systems.cyclic_spsa import schedule
 from verification.verdict import Decision, Verdict
 
-from ..schedule_figures import age_of_the_base, blocks_over_time, lag_of_steps
+from ..printed.schedule_figures import age_of_the_base, blocks_over_time, lag_of_steps
 from . import steps
 from .common import disproof, proofs, replayed
 

@@ -7,10 +7,10 @@ from fractions import Fraction
 
 from verification.verdict import Decision, Verdict
 
-from ..claim_figures import steps_over_perturbations
-from ..looseness import Case
-from ..promises import promised
-from ..stability import step_limit
+from ..printed.claim_figures import steps_over_perturbations
+from ..printed.looseness import Case
+from ..printed.promises import promised
+from ..stability.steps import step_limit
 from . import theorem_1_assumptions, theorem_1_bound
 from .common import proofs, replayed
 from .theorem_1_assumptions import relied

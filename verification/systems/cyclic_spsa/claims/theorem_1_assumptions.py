@@ -10,7 +10,7 @@ from theory.systems.cyclic_spsa.bounds import PRINTED, unit_clashes
 from theory.systems.cyclic_spsa.statements.theorem_1_examples import EXPONENTS
 from verification.verdict import Decision, Verdict
 
-from ..promises import promised, root_above
+from ..printed.promises import promised, root_above
 from .common import disproof, proofs, replayed
 
 KILOMETRE = 1000

@@ -11,8 +11,8 @@ from typing import Any
 from verification.adversary.spsa_violations import Point, search
 from verification.verdict import Decision
 
-from ..claim_figures import errors_over_steps
-from ..promises import promised
+from ..printed.claim_figures import errors_over_steps
+from ..printed.promises import promised
 from .common import proofs, replayed
 from .theorem_1_repair import corrected
 

@@ -9,8 +9,8 @@ from typing import Any
 from verification.certificates.make import certificate
 from verification.verdict import Decision, Verdict
 
-from ..promises import promised, promised_2
-from ..stability import decide_step, step_limit
+from ..printed.promises import promised, promised_2
+from ..stability.steps import decide_step, step_limit
 from . import theorem_2_constants
 from .common import proofs
 from .theorem_1_assumptions import relied

@@ -10,7 +10,7 @@ from theory.systems.cyclic_spsa.bounds import evaluated
 from theory.systems.cyclic_spsa.target_bound import C2, C4, NESTED
 from verification.verdict import Decision, Verdict
 
-from ..promises import promised_2
+from ..printed.promises import promised_2
 from .common import proofs, replayed
 from .theorem_1_assumptions import relied
 

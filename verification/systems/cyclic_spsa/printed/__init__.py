@@ -1,0 +1,1 @@
+"""What the paper promises, in numbers and in pictures."""
