@@ -63,7 +63,7 @@ GAPS: tuple[Gap, ...] = (
         "Erofeeva & Granichin, Theorems 1 and 2, first lines",
         "the step is sufficiently small, besides being in the interval",
         "how small: claims about the theorems take every step in the interval, and the "
-        "counterexamples to (21) with drift hold for all small steps",
+        "counterexamples to (21) with a steady drift hold for all small steps, by certificates",
     ),
     Gap(
         "Erofeeva & Granichin, Theorem 2, the drift",

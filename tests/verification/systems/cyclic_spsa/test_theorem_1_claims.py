@@ -14,9 +14,11 @@ from tests.meta.repository import ROOT
 from tests.verification.systems.cyclic_spsa.decided import decided
 from tests.verification.systems.cyclic_spsa.literal import outcomes, updated
 from theory.algebra.rewriting import derive
+from theory.expressions import parse
 from theory.systems.cyclic_spsa import descent
 from theory.systems.cyclic_spsa.bound_letters import M, delta
-from theory.systems.cyclic_spsa.bounds import PRINTED, PROVED, table
+from theory.systems.cyclic_spsa.bounds import PRINTED, PROVED, evaluated, table
+from theory.systems.cyclic_spsa.statements.theorem_1_small_steps import SCALED_L, inlined
 from verification.adversary.spsa_violations import Point, ratios, search
 from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate, statements
@@ -308,3 +310,41 @@ def test_the_interval_is_short_by_six_d_for_an_isotropic_cost_at_rest():
     for d in (1, 2, 5):
         limit = table(PRINTED, promised({"d": d, "alpha": Fraction(1, 1000), "beta": 1}), math.sqrt)
         assert 2 / d / limit["limit"] == pytest.approx(6 * d)
+
+
+# ------------------------------------------------------------------ small steps
+
+
+SMALL = {"d": 1, "k": 1, "mu": 1, "M": 1, "root_d": 1, "root_k": 1} | dict.fromkeys(
+    ("c2", "c3", "c4", "c_v2"), 0
+)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(1, 10**6), st.sampled_from([("", 1.5), ("_one_instant", 2.0)]))
+def test_every_small_step_has_its_error_above_the_bound(inverse, case_):
+    """The promise from the table of the printed lines, the error from its closed form."""
+    _, samples = case_
+    alpha = 1 / (10 + inverse)
+    numbers = {"alpha": alpha, "beta": 1.0, "delta": 1.0, "d": 1, "k": 1, "mu": 1.0, "M": 1.0}
+    numbers |= dict.fromkeys(("c2", "c3", "c4", "c_v2"), 0.0)
+    assert 2 / alpha - samples > table(PRINTED, numbers, math.sqrt)["bound"]
+
+
+def test_what_is_asked_of_small_steps_is_the_printed_bound():
+    """l times the step, with all lines put in, at a few steps."""
+    for alpha in (Fraction(1, 10), Fraction(1, 300)):
+        numbers = promised({"alpha": alpha, "beta": Fraction(3), "delta": Fraction(2)})
+        for name, text in (("m", inlined("m")), ("b", inlined("b")), ("l", SCALED_L)):
+            found = evaluated(parse(text), numbers)
+            assert found == numbers[name] * (alpha if name == "l" else 1)
+
+
+@pytest.mark.parametrize("part", ["", "_one_instant"])
+@pytest.mark.parametrize("change", [{"upper": Fraction(1, 4)}, {"delta": -1}, {"beta": -1}])
+def test_larger_steps_and_signs_without_meaning_are_refused(part, change):
+    inputs = {**SMALL, "beta": 1, "delta": 1, "upper": Fraction(1, 10)}
+    name = f"theorem_1_bound{part}_small"
+    certificate("cyclic_spsa", name, inputs, [], "REFUTED")
+    with pytest.raises(CertificateError):
+        certificate("cyclic_spsa", name, inputs | change, [], "REFUTED")

@@ -41,7 +41,7 @@ BLOCKS = Claim(
     "pseudogradient to be made of the active coordinates' errors.",
     formula=r"\bigcup_u I_u=D,\qquad I_u\cap I_v=\emptyset",
     sense="property",
-    assumes=(WHOLE_SUM,),
+    assumes=(WHOLE_SUM, TWO_INSTANTS),
     printed="any partition",
 )
 

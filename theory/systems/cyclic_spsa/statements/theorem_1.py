@@ -6,7 +6,7 @@ from itertools import product
 
 from ....statements import Case, Statement
 from ..bounds import PRINTED
-from . import theorem_1_examples
+from . import theorem_1_examples, theorem_1_small_steps
 from .bound_lines import (
     SIGNS,
     Cost,
@@ -222,5 +222,6 @@ STATEMENTS: tuple[Statement, ...] = (
     _additive("theorem_1_bound_level", "+ w with a level w, two instants,", "c4"),
     _walk(),
     _found(),
+    *theorem_1_small_steps.STATEMENTS,
     *theorem_1_examples.STATEMENTS,
 )

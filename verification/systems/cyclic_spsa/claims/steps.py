@@ -199,7 +199,8 @@ def blocks() -> Decision:
         reason="A block that has one coordinate of a target sets the other to 0, and the target's "
         "summand in (20) then carries that coordinate's whole distance: at 300 km with errors of "
         f"+-15 km it adds {math.sqrt(square):.0f} km in the root mean square to the quotient, "
-        "replayed in rationals.",
+        "replayed in rationals: with two instants its two measurements differ, and with one it "
+        "would drop out.",
         printed="any partition",
         sharp="blocks of whole targets",
         margin_text="one more condition",

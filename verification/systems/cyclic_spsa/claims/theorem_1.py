@@ -32,7 +32,10 @@ def interval() -> Decision:
     every = promised(
         {**FAST, "alpha": Fraction(9, 1000), "c3": Fraction(21, 20), "c4": Fraction(6)}
     )
+    at = Case(1, FAST["alpha"], FAST["beta"], Fraction(0), FAST["delta"])
+    document = step_limit(at.block()).certificate
     made = {
+        **({"cyclic_spsa.theorem_1_interval_limit": document} if document else {}),
         **replayed("theorem_1_interval", {**drift, "start": START, "growth": GROWTH}),
         **replayed("theorem_1_interval_noise", {**noise, "growth": Fraction(13)}),
         **replayed("theorem_1_interval_every_point", {**every, "growth": multiplier(every)}),
@@ -53,9 +56,7 @@ def interval() -> Decision:
         sharp_value=float(sharp),
         margin_text=f"{float(limit / sharp):.3g} times too large in the example",
         replay=shortest_path(FAST, START),
-        figure=steps_over_perturbations(
-            Case(1, FAST["alpha"], FAST["beta"], Fraction(0), FAST["delta"])
-        ),
+        figure=steps_over_perturbations(at),
     )
 
 

@@ -106,7 +106,17 @@ def clashing(*lines: str) -> str:
     """What the unit checker says about lines of the printed theorem."""
     found = unit_clashes(PRINTED)
     terms = (term for line in lines for entry in found.get(line, ()) for term in entry.terms)
-    return ", ".join(f"{text} is in {unit}" for text, unit in terms)
+    return ", ".join(f"{_read(text)} is in {unit}" for text, unit in terms)
+
+
+def _read(text: str) -> str:
+    """A formula of `bounds` as a sentence has it."""
+    for name, meaning in (
+        *(("3*change", "3(c4/beta + ...)"), ("root_d", "d^(1/2)"), ("c_v2", "c_v^2")),
+        *(("**", "^"), ("*", " ")),
+    ):
+        text = text.replace(name, meaning)
+    return text
 
 
 def units_gamma() -> Decision:

@@ -10,9 +10,10 @@ from verification.certificates.make import certificate
 from verification.verdict import Decision, Verdict
 
 from ..printed.promises import promised, promised_2
-from ..stability.steps import decide_step, step_limit
+from ..stability.steps import decide_step
 from . import theorem_2_constants
 from .common import proofs
+from .experiment import limit_document
 from .theorem_1_assumptions import relied
 from .theorem_1_repair import PROOF, REPAIR_FORMULA
 
@@ -28,10 +29,11 @@ CONSTANTS = (
 )
 REPAIR = (
     "The repaired Theorem 1 with mu = K/(n max sigma^2), M = K/(n min sigma^2), c2 = sum (K/n)^2 "
-    "tr Xi/sigma^4 and, for symmetric noise, c3 = 2 M^2 lambda_max(Xi) and c4 = Var(xi'H xi)/2 for "
-    "targets at rest, c3 = 2 M^2 (2 lambda_max(Xi) + delta^2) and c4 = [(eta'H eta)^2 + 4 eta'H Xi "
-    "H eta + 2 Var(xi'H xi)]/2 for targets that move by eta: the root of the mean square of the "
-    "error of a block is in the long run at most the first formula below."
+    "tr Xi/sigma^4, c_v = 0 and, for symmetric noise, c3 = 2 M^2 lambda_max(Xi) and c4 = "
+    "Var(xi'H xi)/2 for targets at rest, c3 = 2 M^2 (2 lambda_max(Xi) + delta^2) and c4 = "
+    "[(eta'H eta)^2 + 4 eta'H Xi H eta + 2 Var(xi'H xi)]/2 for targets that move by eta: the "
+    "root of the mean square of the error of a block is in the long run at most the first formula "
+    "below."
 )
 STEP, BETA = Fraction(1, 20), Fraction(3, 100)
 UNIT = {"K": 1, "n": 1, "d": 2, "k": 1, "high": 1, "low": 1, "ratio": 1, "level": 0}
@@ -97,7 +99,8 @@ def interval() -> Decision:
         lines = constants(factor, Fraction(1), **own)
         document = diverging("theorem_2_interval_nested", lines, at)
         made[f"cyclic_spsa.theorem_2_interval_{stem}"] = document
-    limit = step_limit(at).value
+    limit, document = limit_document(at)
+    made["cyclic_spsa.theorem_2_interval_limit"] = document
     return corrected(
         made,
         reason="For one sensor and one target at rest, K = sigma^2 = 1, alpha = 1/20 and beta = "

@@ -90,7 +90,7 @@ def limit(bound: Bound, given: dict[str, Fraction]) -> Fraction:
 
 
 def steps_over_perturbations(
-    chosen: Case, end: float = 1.0, marked: str = "the counterexample is"
+    chosen: Case, end: float = 1.0, marked: str = "the counterexample is", unit: str = ""
 ) -> Plot:
     """Steps for which the mean-square error stays bounded, over the size of the perturbation.
 
@@ -102,6 +102,8 @@ def steps_over_perturbations(
         Logarithm of the largest size.
     marked : str, optional
         What the marked point is, with its verb.
+    unit : str, optional
+        Of lengths, where it matters.
     """
     sizes = np.geomspace(float(chosen.beta) / 10, 10.0**end, 40)
     cases = [
@@ -115,17 +117,18 @@ def steps_over_perturbations(
     low, top = min(proved) / 2, 3 * max(*exact, *printed)
     wrong = tuple(max(a, b) for a, b in zip(exact, printed, strict=True))
     coordinates = "One coordinate" if chosen.d == 1 else f"{chosen.d} coordinates"
-    here = float(chosen.beta), float(chosen.alpha)
+    here, of_length = (float(chosen.beta), float(chosen.alpha)), f" {unit}" if unit else ""
     return Plot(
         title="Steps for which the mean-square error stays bounded",
         finding="The printed limit does not fall with the perturbation; the exact one falls as its "
         "square.",
-        caption=f"{coordinates}, Hessian 1, noise {float(chosen.sigma):g} and drift "
-        f"{float(chosen.delta):g} in each sample, two instants: below the exact limit the error "
-        "stays bounded; between it and the limit of Theorem 1 as printed (hatched) that theorem is "
-        f"false; the steps of the repaired theorem are shaded; {marked} marked. Simulated: the "
-        f"mean square of {RUNS} runs from afar falls (dots) or grows (rings) in {UPDATES} updates.",
-        x=Axis("size of the perturbation beta", "", x[0], x[-1], log=True, ticks=(here[0],)),
+        caption=f"{coordinates}, Hessian 1, noise {float(chosen.sigma):g}{of_length} in each and "
+        f"drift {float(chosen.delta):g}{of_length} a sample, two instants: below the exact limit "
+        "the error stays bounded; between it and the limit of Theorem 1 as printed (hatched) that "
+        f"theorem is false; the steps of the repaired theorem are shaded; {marked} marked. "
+        f"Simulated: the mean square of {RUNS} runs from afar falls (dots) or grows (rings) in "
+        f"{UPDATES} updates.",
+        x=Axis("size of the perturbation beta", unit, x[0], x[-1], log=True, ticks=(here[0],)),
         y=Axis("step alpha", "", low, top, log=True, ticks=(here[1],)),
         curves=(
             Curve("sharp", x, exact, "exact"),
