@@ -39,6 +39,11 @@ def scaled(factor: Fraction | int, a: Rows) -> Rows:
     return tuple(tuple(factor * x for x in row) for row in a)
 
 
+def trace(a: Rows) -> Fraction:
+    """Sum of the diagonal."""
+    return sum((row[i] for i, row in enumerate(a)), ZERO)
+
+
 def identity(n: int) -> Rows:
     """The n by n identity."""
     return tuple(tuple(Fraction(i == j) for j in range(n)) for i in range(n))

@@ -10,7 +10,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.answers import Input
 from verification.exact.definite import congruence
-from verification.exact.evaluate import Rows
+from verification.exact.evaluate import Rows, trace
 from verification.input_kinds import positive
 
 READINGS = {"one": 1, "two": 2}
@@ -149,8 +149,7 @@ def covariance(name: str, rows: Rows, size: int) -> Rows:
     """
     rows = _sized(name, rows, size)
     _symmetric(name, rows)
-    least = sum((rows[i][i] for i in range(size)), start=Fraction(0))
-    if least < 0 or _negative(rows):
+    if trace(rows) < 0 or _negative(rows):
         raise InputError(name, "an indefinite matrix", "a covariance, x'Ax >= 0, is needed")
     return rows
 

@@ -10,7 +10,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.answers import Design, Designed, Input
 from verification.enclosures import ends
-from verification.exact.evaluate import identity
+from verification.exact.evaluate import identity, trace
 from verification.exact.rationals import above, below
 
 from .block_inputs import BLOCK, BLOCKS, DRIFT, HESSIAN, NOISE, Block, block_of
@@ -158,7 +158,7 @@ def _moving(block: Block) -> None:
 
 def _unit(block: Block) -> Fraction:
     """About the standard deviation of a measured coordinate and a sample's drift, to one bit."""
-    spread = sum((block.noise[i][i] for i in range(block.size)), Fraction(0)) / block.size
+    spread = trace(block.noise) / block.size
     spread += sum((x**2 for x in block.drift), Fraction(0))
     return Fraction(2) ** math.ceil(math.log2(float(spread)) / 2)
 

@@ -141,7 +141,7 @@ def test_the_table_of_looseness_has_the_numbers_that_were_computed_before():
 
 
 def test_the_table_on_the_page_is_the_computed_one():
-    page = (ROOT / "docs/systems/cyclic_spsa_theory.md").read_text()
+    page = (ROOT / "docs/systems/cyclic_spsa_bound.md").read_text()
     lines = page.split("| d | alpha |")[1].split("\n\n")[0].splitlines()[2:]
     for row, line in zip(compared(), lines, strict=True):
         entry = row.case

@@ -16,7 +16,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.answers import Answer, Input
 from verification.certificates.make import certificate
-from verification.exact.evaluate import add, dot, identity, multiply, quadratic
+from verification.exact.evaluate import add, dot, identity, multiply, quadratic, trace
 from verification.exact.rationals import above, below
 from verification.exact.semidefinite import split
 
@@ -113,7 +113,7 @@ def _far(now: Block, before: Block, c3: Fraction, c4: Fraction) -> tuple[Fractio
     ]
     z = next(x for x in sums if quadratic(x, rest))
     pulled = tuple(dot(row, now.drift) for row in now.hessian)
-    level = dot(pulled, now.drift) + sum((multiply(rest, now.noise)[i][i] for i in size), ZERO)
+    level = dot(pulled, now.drift) + trace(multiply(rest, now.noise))
     while True:
         mean = quadratic(z, rest) - 2 * dot(pulled, z) + level
         if mean**2 > 4 * (c3 * dot(z, z) + c4):

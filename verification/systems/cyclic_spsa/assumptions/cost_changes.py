@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from verification.exact.evaluate import Rows, add, dot, identity, multiply, quadratic, scaled
+from verification.exact.evaluate import Rows, add, dot, identity, multiply, quadratic, scaled, trace
 from verification.exact.semidefinite import Split, split
 from verification.exact.solving import solved
 
@@ -63,7 +63,7 @@ def _spread(block: Block, kurtosis: Fraction) -> Fraction:
     """Variance of xi'H xi."""
     product = multiply(block.hessian, block.noise)
     squares = sum((row[i] ** 2 for i, row in enumerate(product)), Fraction(0))
-    return 2 * _trace(multiply(product, product)) + kurtosis * squares
+    return 2 * trace(multiply(product, product)) + kurtosis * squares
 
 
 def _times(rows: Rows, x: Sequence[Fraction]) -> tuple[Fraction, ...]:
@@ -98,7 +98,7 @@ def offset(change: Change, c3: Fraction) -> tuple[Fraction | None, tuple[Fractio
 
 def gradient_power(block: Block) -> Fraction:
     """E|grad f(theta)|^2 = tr(H Xi H)."""
-    return _trace(multiply(multiply(block.hessian, block.noise), block.hessian))
+    return trace(multiply(multiply(block.hessian, block.noise), block.hessian))
 
 
 def excess(change: Change, c3: Fraction, c4: Fraction, y: Sequence[Fraction]) -> Fraction:
@@ -112,7 +112,3 @@ def beyond(change: Change, c4: Fraction, z: Sequence[Fraction]) -> tuple[Fractio
     need = max(c4 - change.level + 1, Fraction(1))
     factor = -need / (2 * dot(change.slope, z))
     return tuple(factor * x for x in z)
-
-
-def _trace(rows: Rows) -> Fraction:
-    return sum((row[i] for i, row in enumerate(rows)), Fraction(0))

@@ -9,7 +9,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.answers import Answer, Input
 from verification.certificates.make import certificate
-from verification.exact.evaluate import add, dot, identity, quadratic, scaled
+from verification.exact.evaluate import add, dot, identity, quadratic, scaled, trace
 from verification.exact.semidefinite import split
 
 from ..block_inputs import Block
@@ -67,7 +67,7 @@ def class_constants(
     top = high.hessian[0][0]
     plain = change_of(Block(identity(high.size), "h", high.noise, high.drift, *REST), kurtosis)
     c3 = 2 * top**2 * largest_ratio(plain.form, identity(high.size))[1]
-    spread = sum((high.noise[i][i] for i in range(high.size)), Fraction(0))
+    spread = trace(high.noise)
     moved = dot(high.drift, high.drift)
     # E|xi|^4 from the variance of |xi|^2, and E|eta + xi|^4 from it
     fourth = spread**2 + 2 * plain.printed

@@ -20,7 +20,7 @@ from typing import Any
 
 from verification.answers import Answer
 from verification.enclosures import ball, enclosure, ends, listed
-from verification.exact.evaluate import dot
+from verification.exact.evaluate import dot, trace
 from verification.exact.rationals import nearest
 
 from ..block_inputs import block_of
@@ -117,8 +117,7 @@ def _unit(settling: Settling) -> Fraction:
     That eigenvalue is at least the mean of the diagonal.
     """
     hessian = settling.block.hessian
-    trace = sum((hessian[i][i] for i in range(len(hessian))), start=Fraction(0))
-    mean = trace / len(hessian)
+    mean = trace(hessian) / len(hessian)
     return Fraction(2) ** (2 + (mean.denominator.bit_length() - mean.numerator.bit_length()) + 1)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from ..block_inputs import Block
 from ..stability.moments import Operators, exact_operators, noise_moments
 from ..stability.stacked import Stacked, places, symmetric
-from .solutions import Solution, TooClose, ball_operators, definite, trace
+from .solutions import Solution, TooClose, ball_operators, definite, flint_trace
 
 
 @dataclass(frozen=True)
@@ -84,7 +84,7 @@ class DirectMoments:
 
     def trace(self, found: Solution) -> Any:
         """The trace of X."""
-        return trace(found.matrix)
+        return flint_trace(found.matrix)
 
     def kicked(self, found: Solution) -> tuple[Any, Any]:
         """kick(X), and how far it may be off in multiples of the identity."""

@@ -16,11 +16,12 @@ from typing import Any
 import numpy as np
 
 from verification.enclosures import ball
+from verification.exact.evaluate import trace
 from verification.exact.modes import doubles, middle
 
 from ..block_inputs import Block
 from ..stability.moments import DOUBLES, Operators, noise_moments
-from .solutions import Solution, TooClose, around, ball_operators, definite, norm, trace
+from .solutions import Solution, TooClose, around, ball_operators, definite, flint_trace, norm
 
 ROUNDS, TOLERANCE, GAIN = 16, 1e-13, 4
 """Corrections, accuracy of the Krylov method, and what a correction has to gain."""
@@ -86,7 +87,7 @@ class BallMoments:
 
     def trace(self, found: Solution) -> Any:
         """The trace of X."""
-        return trace(found.matrix) + around(found.radius * trace(self.above))
+        return flint_trace(found.matrix) + around(found.radius * flint_trace(self.above))
 
     def kicked(self, found: Solution) -> tuple[Any, Any]:
         """kick(X), and how far it may be off in multiples of the identity."""
@@ -142,8 +143,7 @@ class InDoubles:
     """About the solution, in doubles; the Hessian is divided by `unit`, the solution multiplied."""
 
     def __init__(self, block: Block, alpha: Fraction) -> None:
-        trace_ = sum((block.hessian[i][i] for i in range(block.size)), start=Fraction(0))
-        mean = trace_ / block.size
+        mean = trace(block.hessian) / block.size
         self.unit = Fraction(2) ** (mean.numerator.bit_length() - mean.denominator.bit_length())
         self.alpha = float(alpha * self.unit)
         hessian = np.array([[float(x / self.unit) for x in row] for row in block.hessian])

@@ -15,7 +15,7 @@ from ..block_inputs import ALPHA, BETA, BLOCKS, HESSIAN, NOISE, READING, Block, 
 from ..stability.moments import fmpq
 from .second_moments import BITS, moments_of
 from .settling import Settling
-from .solutions import trace
+from .solutions import flint_trace
 from .stationary import GROWS, NO_WORD, is_stable, mean_square_answer
 
 STEPS = Input("W", "matrix", "covariance of a step of the target, one a sample", "m^2")
@@ -55,7 +55,7 @@ def random_walk_mse(values: Mapping[str, Any]) -> Answer:
         side = _right_side(block, steps, Settling(moments.block), alpha)
         found = moments.solved(moments.given(side))
         later = 2 * block.blocks + 1 - block.instants
-        return mean_square_answer(moments.trace(found) - later * trace(fmpq(steps)))
+        return mean_square_answer(moments.trace(found) - later * flint_trace(fmpq(steps)))
 
 
 def _as_noise(block: Block, steps: Rows) -> Block:
@@ -76,7 +76,7 @@ def _right_side(block: Block, steps: Rows, rest: Settling, alpha: Fraction) -> A
     hessian = fmpq(block.hessian)
     pulled = hessian * walk
     beta = flint.fmpq(block.beta.numerator, block.beta.denominator)
-    fourth = (trace(pulled * pulled) + trace(pulled) ** 2) / (16 * beta**2)
+    fourth = (flint_trace(pulled * pulled) + flint_trace(pulled) ** 2) / (16 * beta**2)
     half = flint.fmpq(1, 2)
     one = fmpq(identity(block.size))
     return side - (pulled + walk * hessian) * half + one * (fourth * step)

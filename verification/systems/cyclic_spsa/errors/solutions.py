@@ -31,7 +31,7 @@ class Solution:
     radius: Any = 0
 
 
-def trace(matrix: Any) -> Any:
+def flint_trace(matrix: Any) -> Any:
     """Sum of the diagonal of a flint matrix."""
     return sum((matrix[i, i] for i in range(1, matrix.nrows())), start=matrix[0, 0])
 

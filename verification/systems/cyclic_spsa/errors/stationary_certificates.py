@@ -8,7 +8,7 @@ from typing import Any
 
 from verification.certificates.make import CertificateError, certificate
 from verification.exact.definite import congruence
-from verification.exact.evaluate import Rows, dot
+from verification.exact.evaluate import Rows, dot, trace
 
 from ..block_inputs import Block
 from ..stability.limits import decaying_at, limit_of
@@ -17,7 +17,7 @@ from ..stability.steps import at_step
 from ..stability.witnesses import around, covariance_of, identity_of, items
 from .second_moments import Moments
 from .settling import Settling, right_side
-from .solutions import trace
+from .solutions import flint_trace
 
 UP_TO = 12
 """Coordinates up to which a certificate is made."""
@@ -62,7 +62,7 @@ def settled(settling: Settling, moments: Moments) -> dict[str, Any] | None:
     chosen = (tuple((x,) for x in mean), *sources, above, around(block, above))
     chosen = (z, around(block, z), *chosen, below, around(block, below))
     square = dot(mean, mean)
-    ends = {"lower": _trace(below) + square, "upper": _trace(above) + square}
+    ends = {"lower": trace(below) + square, "upper": trace(above) + square}
     return _document(block, alpha, chosen, ends)
 
 
@@ -83,10 +83,10 @@ def _bounding(moments: Moments, right: Any, sign: int) -> Rows | None:
     import flint
 
     found, unit = moments.solved(right).matrix, moments.unit.matrix
-    size = trace(found) / trace(unit) if trace(found) != 0 else flint.fmpq(1)
+    size = flint_trace(found) / flint_trace(unit) if flint_trace(found) != 0 else flint.fmpq(1)
     slack = size * flint.fmpq(CLOSE.numerator, CLOSE.denominator)
     near = rows_of(found + unit * (sign * slack))
-    grain = Fraction(int(slack.p), int(slack.q)) / _trace(moments.block.hessian)
+    grain = Fraction(int(slack.p), int(slack.q)) / trace(moments.block.hessian)
     for bits in GUARD:
         rows = _rounded(near, grain / 2**bits)
         matrix = fmpq(rows)
@@ -101,7 +101,3 @@ def _rounded(rows: Rows, grain: Fraction) -> Rows:
     exponent = grain.numerator.bit_length() - grain.denominator.bit_length()
     unit = Fraction(2) ** exponent
     return tuple(tuple(round(x / unit) * unit for x in row) for row in rows)
-
-
-def _trace(rows: Rows) -> Fraction:
-    return sum((row[i] for i, row in enumerate(rows)), start=Fraction(0))
