@@ -18,6 +18,7 @@ from __future__ import annotations
 from ...algebra.identities import ONE, Identity, Square
 from ...algebra.noncommuting import Form, letters, scalars
 from ...algebra.rewriting import derive
+from ...expressions import parse
 from .bound_letters import (
     HALF,
     HALVED,
@@ -37,6 +38,7 @@ from .bound_letters import (
     delta,
     half,
     mu,
+    polynomial,
     rate,
     root_d,
 )
@@ -48,7 +50,8 @@ slack = scalars("s1 s2 s3 s4")
 POSITIVE = "alpha beta mu M d root_d half rate scale inverse"
 NONNEGATIVE = (
     "delta length rest c2 c3 c4 c_v2 s1 s2 s3 s4 over more noise "
-    "rho lag keep tilt level loss slope x y z gamma m b l root_q"
+    "rho lag keep tilt level loss slope x y z gamma m b l root_q "
+    "pace k"
 )
 SYMBOLS: dict[str, str] = {
     **dict.fromkeys(POSITIVE.split(), "positive"),
@@ -241,22 +244,29 @@ def above_the_fixed_point() -> tuple[Identity, ...]:
 
 
 def root() -> tuple[Identity, Identity]:
-    """(v) The bound of `bounds.PROVED` is that fixed point.
+    """(v) The bound of `bounds.PROVED` for one block is that fixed point.
 
-    With m (rho + lag) = b + lag/alpha + W and W^2 = b^2 + m l + 2 b lag/alpha + (lag/alpha)^2
-    (1 - alpha m), rho^2 is (1 - alpha m)(rho + lag)^2 + 2 alpha b (rho + lag) + alpha l, and the
+    With its lines lag and q, W^2 = q, inverse = 1/m, the drift 2k delta of a cycle and its value
+    rho, rho^2 is (1 - alpha m) reach^2 + 2 alpha b reach + alpha l, reach = rho + 2k delta, and the
     slope of (iv) is alpha W.
     """
-    rho, lag, m, b, low, w = scalars("rho lag m b l root_q")
-    pace = rate * lag
-    reach = rho + lag
+    rho, pace, m, b, low, w = scalars("rho pace m b l root_q")
+    k, inverse = scalars("k inverse")
+    own = {"k": k, "m": m, "b": b, "l": low, "lag": pace, "root_q": w, "inverse": inverse}
+    names = LETTERS | own
+    lines = {line.name: line.tree for line in PROVED.lines}
+    value = parse(PROVED.value.text.replace("/m", "*inverse"))
+    drift = 2 * k * delta
     relations = (
-        m * reach - b - pace - w,
-        w * w - b * b - m * low - 2 * b * pace - pace * pace * (ONE - alpha * m),
+        rho - polynomial(value, names),
+        pace - polynomial(lines["lag"], names),
+        w * w - polynomial(lines["q"], names),
         alpha * rate - ONE,
+        m * inverse - ONE,
     )
+    reach = rho + drift
     kept = (ONE - alpha * m) * reach * reach + 2 * alpha * b * reach + alpha * low
-    words = {0: "m rho", 1: "root_q**2", 2: "alpha rate"}
-    fixed = derive("root", m * (rho * rho - kept), relations, words)
-    slope = alpha * m * reach - lag - alpha * b
-    return fixed, derive("slope", slope - alpha * w, relations, {0: "m rho", 2: "alpha rate"})
+    words = {0: "rho", 1: "pace", 2: "root_q**2", 3: "alpha rate", 4: "inverse m"}
+    fixed = derive("root", rho * rho - kept, relations, words)
+    slope = alpha * m * reach - drift - alpha * b
+    return fixed, derive("slope", slope - alpha * w, relations, words)

@@ -3,6 +3,7 @@
 import copy
 import itertools
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -255,6 +256,32 @@ def test_a_planted_false_theorem_is_not_proved():
     document = proof("theorem_1_fixed_point") | {"digest": check.digest_of(weaker)}
     with pytest.raises(check.Reject):
         check.check_document(document, known | {"cyclic_spsa.theorem_1_fixed_point": weaker})
+
+
+PLANTED = {
+    "gamma": ("c3/(8*beta**2)", "99*c3/(800*beta**2)"),
+    "b": ("6*alpha", "5*alpha"),
+    "l": ("c4 + c_v2", "c4 + 99*c_v2/100"),
+    "lag": ("2*k*delta", "99*k*delta/50"),
+    "q": ("1 - alpha*m", "1 - 2*alpha*m"),
+    "bound": ("root_q", "99*root_q/100"),
+}
+
+
+@pytest.mark.parametrize("name", sorted(PLANTED))
+def test_no_line_of_the_repaired_bound_can_be_made_smaller(monkeypatch, name):
+    """Each is tied to the recursion or to its fixed point."""
+
+    def changed(line):
+        text = line.text.replace(*PLANTED[name]) if line.name == name else line.text
+        return replace(line, text=text)
+
+    lines = {part: tuple(map(changed, getattr(PROVED, part))) for part in ("limit", "lines")}
+    planted = replace(PROVED, **lines, value=changed(PROVED.value))
+    assert planted != PROVED
+    monkeypatch.setattr(descent, "PROVED", planted)
+    with pytest.raises(ValueError, match="leaves"):
+        (descent.recursion(), descent.root())
 
 
 @pytest.mark.parametrize("factor", [0, 1, 2])

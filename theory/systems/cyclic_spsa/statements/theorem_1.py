@@ -165,8 +165,10 @@ def _walk() -> Statement:
     words = (
         f"{PROMISED}; {QUADRATIC}, no noise, two instants. The target moves in every sample by "
         "delta or -delta, equally likely and independent of the past, which meets Assumption 4 for "
-        "random drift. One step makes of the error x the mean square keep x^2 + fresh, so that it "
-        "tends to `square`, whose root is above the bound"
+        "random drift; no move is above delta, so that for moves fixed beforehand it is met "
+        "as well, and what is above in the mean over all moves is so for some of them. One step "
+        "makes of the error x the mean square keep x^2 + fresh, so that it tends to `square`, "
+        "whose root is above the bound"
     )
     show = (
         *constants(),

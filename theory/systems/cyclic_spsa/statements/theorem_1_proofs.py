@@ -159,10 +159,11 @@ def _fixed_point() -> Universal:
 
 def _root() -> Universal:
     words = (
-        "step (v): that rho is [b + lag/alpha + root_q]/m - lag, root_q^2 = b^2 + m l + 2 b "
-        "lag/alpha + (lag/alpha)^2 (1 - alpha m): with it m times the difference of the two sides "
-        "of (iv) is zero, and the slope of (iv), alpha m (rho + lag) - lag - alpha b, is alpha "
-        "root_q, which is not negative; rate = 1/alpha"
+        "step (v): with pace = 2k delta/alpha, root_q^2 = b^2 + m l + 2 pace b + pace^2 (1 - alpha "
+        "m) and inverse = 1/m, rho = (b + pace + root_q) inverse - 2k delta, the bound of one "
+        "block, has rho^2 = (1 - alpha m) (rho + 2k delta)^2 + 2 alpha b (rho + 2k delta) + alpha "
+        "l, the equation of (iv), whose slope alpha m (rho + 2k delta) - 2k delta - alpha b is "
+        "alpha root_q, which is not negative; rate = 1/alpha"
     )
     return Universal("theorem_1_root", words, descent.root(), SYMBOLS)
 

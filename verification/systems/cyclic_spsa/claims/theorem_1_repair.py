@@ -25,8 +25,8 @@ REPAIR = (
     "With Assumption 5 for every x and the squared distance, gamma = 3d(M^2 d + c3/(8 beta^2)), m "
     "= 2(mu - alpha gamma) as printed, b and l as below, and 0 < alpha < mu/gamma, the root of the "
     "mean square of the error of a block of d coordinates is in the long run at most the first "
-    "formula below; k blocks together have k^(1/2) times it. Every step of the proof is checked, "
-    "down to what it relies on."
+    "formula below; k blocks together, each beside the targets at its own last update, have at "
+    "most k^(1/2) times it. Every step of the proof is checked, down to what it relies on."
 )
 REPAIR_FORMULA = (
     r"\begin{array}{l}"
