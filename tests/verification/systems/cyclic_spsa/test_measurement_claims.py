@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from theory.algebra.moments import COSINE, SINE
 from verification.systems.cyclic_spsa.claims import DECISIONS
-from verification.systems.cyclic_spsa.claims.moments import gaussian
+from verification.systems.cyclic_spsa.claims.moments import gaussian_errors
 
 angles = st.floats(-math.pi, math.pi)
 places = st.tuples(st.floats(-300, 300), st.floats(-300, 300))
@@ -47,8 +47,9 @@ def test_the_mean_position_is_short_by_the_mean_cosine(degrees):
     mean = sum(
         w * polar((0, 0), 0.7 + sigma * x, 300) for x, w in zip(HERMITE, WEIGHTS, strict=True)
     )
-    assert gaussian(COSINE, sigma) == pytest.approx(math.exp(-(sigma**2) / 2), rel=1e-15)
-    assert mean == pytest.approx(gaussian(COSINE, sigma) * polar((0, 0), 0.7, 300), rel=1e-12)
+    cosine = 1 + gaussian_errors(sigma, 0)[0]
+    assert cosine == pytest.approx(math.exp(-(sigma**2) / 2), rel=1e-15)
+    assert mean == pytest.approx(cosine * polar((0, 0), 0.7, 300), rel=1e-12)
 
 
 def test_the_mean_cosine_and_sine_of_a_gaussian_angle_are_known():

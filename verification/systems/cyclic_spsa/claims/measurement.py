@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from theory.algebra.moments import COSINE
 from verification.verdict import Decision, Verdict
 
 from ..printed.measurement_figures import ellipses, mirrored
@@ -27,7 +26,7 @@ def zero_mean() -> Decision:
     cosine, sine = TRIPLE
     inputs = {"s": column(SENSOR), "e": column(NORTH), "n": column(EAST), "a": cosine, "b": sine}
     inputs |= {"rho": RANGE, "d": RANGE * RANGE_ERROR}
-    shift = 300_000 * (1 - moments.gaussian(COSINE, moments.HALF_DEGREE))
+    shift = -300_000 * moments.gaussian_errors(moments.HALF_DEGREE, 0)[0]
     rows = [("angle error, cosine", "sine", "distance", "x1 - s1", "x2 - s2", "probability")]
     rows += [
         (str(cosine), str(b), str(z), str(z * b), str(z * cosine), "1/4")

@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from theory.algebra.moments import COSINE, SINE, Wave
 from verification.verdict import Decision, Verdict
 
+from ..network.measurement_moments import measurement_moments
 from .common import proofs, replayed
 
 RANGE, RELATIVE = Fraction(100), Fraction(1, 20)
@@ -39,21 +39,20 @@ def measured_variance() -> Decision:
     )
 
 
-def gaussian(wave: Wave, sigma: float) -> float:
-    """Mean of a polynomial in sine and cosine of a Gaussian angle of deviation `sigma` in rad."""
-    return sum(float(c) * math.exp(-(sigma**2) / 2) ** m for m, c in wave.mean.items())
+def gaussian_errors(angle: float, relative: float) -> tuple[float, float, float]:
+    """Mean radial error over rho, variances over rho^2 along the line of sight and across it.
+
+    For Gaussian errors, with deviations in rad and relative to the distance.
+    """
+    given = {"sigma_bearing_rad": Fraction(angle), "sigma_range_rel": Fraction(relative)}
+    bias, along, across = measurement_moments(given).value
+    return bias, along, across
 
 
 def gaussian_square(angle: float, relative: float) -> float:
-    """E|xi|^2/rho^2 for a Gaussian angle error, deviations in rad and relative."""
-    return 2 + relative**2 - 2 * gaussian(COSINE, angle)
-
-
-def gaussian_variances(angle: float, relative: float) -> tuple[float, float]:
-    """Variances over rho^2 along the line of sight and across it, for the same errors."""
-    stretch = 1 + relative**2
-    along = stretch * gaussian(COSINE * COSINE, angle) - gaussian(COSINE, angle) ** 2
-    return along, stretch * gaussian(SINE * SINE, angle)
+    """E|xi|^2/rho^2 for the same errors."""
+    bias, along, across = gaussian_errors(angle, relative)
+    return bias**2 + along + across
 
 
 def exact_trace() -> Decision:
@@ -90,7 +89,7 @@ def exact_covariance() -> Decision:
     """Positions lie on an arc, which no ellipse is."""
     bound = TURN - TURN**3 / 6 + TURN**5 / 120
     files = replayed("eq_14_exact", {"rho": RANGE, "x": TURN, "y": bound})
-    along, across = gaussian_variances(HALF_DEGREE, float(RELATIVE))
+    _, along, across = gaussian_errors(HALF_DEGREE, float(RELATIVE))
     rows = (
         ("over rho^2, half a degree and 5 %", "to first order", "exact"),
         ("along the line of sight", f"{float(RELATIVE) ** 2:.10g}", f"{along:.10g}"),
