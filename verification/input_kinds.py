@@ -38,8 +38,8 @@ class Setting:
     network : Network or None
         The network of ``--graph``.
     size : int
-        Rows of the question's matrices; where all of them are given as numbers, that of its
-        vectors, else 1.
+        Rows of the question's matrices and diagonals; where all of them are given as numbers, that
+        of its vectors, where there are none that of its lists, else 1.
     """
 
     network: Network | None
@@ -327,6 +327,7 @@ KINDS: Mapping[str, Kind] = {
     "matrices": Kind("a list of numbers or of lists of rows", _matrices, _as_read),
     "planar matrix": Kind("a number or two rows of two numbers", _matrix, _planar),
     "vector": Kind("a number or a list of numbers", _vector, _coordinates),
+    "diagonal": Kind("a number or a list of numbers", _vector, _as_read),
     "list": Kind("a number or a list of numbers", _vector, _as_read),
     "word": Kind("a word", _word, _as_read),
     "point": Kind("a list of two numbers", _point, _as_read),

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from sensortrack.networks import Network
 
 
+SQUARE, ROWS = ("matrix", "diagonal"), ("vector", "list")
+"""Kinds that stand for a square matrix, and those with one number a coordinate."""
+
+
 @dataclass(frozen=True)
 class Reading:
     """The inputs of a question.
@@ -131,14 +135,13 @@ def _kind(entry: Input) -> Kind:
 
 
 def _size(inputs: Sequence[Input], exact: Mapping[str, Any]) -> int:
-    """Common size of the matrices that are given entry by entry, else of the vectors."""
-    matrices = {e.name: exact[e.name] for e in inputs if e.kind == "matrix" and e.name in exact}
+    """Common size of the matrices and diagonals that are given entry by entry, else of the rest."""
+    matrices = {e.name: exact[e.name] for e in inputs if e.kind in SQUARE and e.name in exact}
     sizes = {name: len(rows) for name, rows in matrices.items() if isinstance(rows, tuple)}
     if not sizes:
-        return max(
-            (len(exact[e.name]) for e in inputs if e.kind == "vector" and e.name in exact),
-            default=1,
-        )
+        rows = {e: len(exact[e.name]) for e in inputs if e.kind in ROWS and e.name in exact}
+        vectors = [length for e, length in rows.items() if e.kind == "vector"]
+        return max(vectors or rows.values(), default=1)
     size = Counter(sizes.values()).most_common(1)[0][0]
     like = next(name for name in sizes if sizes[name] == size)
     for name, found in sizes.items():

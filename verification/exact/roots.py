@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from .rationals import nearest
+
 MAX_DEGREE = 12
 
 
@@ -112,7 +114,7 @@ def _isolated(factor: Any, low: Fraction, high: Fraction) -> Algebraic | None:
     if len(coefficients) == 2:
         value = Fraction(-coefficients[0], coefficients[1])
         inside = low < value <= high
-        return Algebraic(coefficients, value, value, float(value)) if inside else None
+        return Algebraic(coefficients, value, value, nearest(value)) if inside else None
     flint.ctx.prec = 256
     real = [r.real for r, _ in factor.complex_roots() if r.imag.contains(0)]
     close = [r for r in real if _arb(low) < r < _arb(high)]

@@ -17,7 +17,7 @@ READINGS = {"one": 1, "two": 2}
 """Measurement instants of a step."""
 
 HESSIAN = (
-    Input("h", "vector", "diagonal of the Hessian, positive", optional=True),
+    Input("h", "diagonal", "diagonal of the Hessian, positive", optional=True),
     Input("H", "matrix", "Hessian, symmetric positive definite, instead of h", optional=True),
 )
 NOISE = Input("Xi", "matrix", "covariance of the measured positions", "m^2", "0")
@@ -130,7 +130,8 @@ def hessian_of(values: Mapping[str, Any]) -> tuple[Rows, str]:
         return tuple(tuple(h[i] if i == j else Fraction(0) for j in size) for i in size), "h"
     _symmetric("H", matrix)
     if congruence(matrix) is None:
-        raise InputError("H", "an indefinite matrix", "a symmetric positive definite one is needed")
+        found = "a matrix that is not positive definite"
+        raise InputError("H", found, "a symmetric positive definite one is needed")
     return matrix, "H"
 
 
@@ -149,8 +150,9 @@ def covariance(name: str, rows: Rows, size: int) -> Rows:
     """
     rows = _sized(name, rows, size)
     _symmetric(name, rows)
-    if trace(rows) < 0 or _negative(rows):
-        raise InputError(name, "an indefinite matrix", "a covariance, x'Ax >= 0, is needed")
+    if _negative(rows):
+        found = "a matrix that is not positive semidefinite"
+        raise InputError(name, found, "a covariance, x'Ax >= 0, is needed")
     return rows
 
 

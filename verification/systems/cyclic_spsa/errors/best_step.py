@@ -24,12 +24,14 @@ from verification.exact.evaluate import dot, trace
 from verification.exact.rationals import nearest
 
 from ..block_inputs import block_of
+from ..stability.moments import noise_moments
 from .second_moments import BITS, moments_of
 from .settling import Settling, mean_square, slope
 from .stationary import is_stable, law_of
 
 STILL = "without drift the error is the smaller, the smaller the step is: no step is the best"
 ONLY = "the only minimum: the derivative changes its sign once"
+AT_ONCE = "one update removes the whole error, the only step that does: alpha = 1/h"
 THERE = "the error is that at the step's value"
 UNREACHED = "the sign of the derivative could not be told on both sides of {}"
 HALVINGS, SMALLEST = 100, 1e-290
@@ -63,6 +65,10 @@ def best_step(values: Mapping[str, Any]) -> Answer:
     settling = Settling(block_of(values), law_of(values))
     if not any(settling.move):
         return Answer(value=[0.0, 0.0], verdict="PROVED", notes=(STILL,))
+    if settling.block.size == 1 and not any(noise_moments(settling.block)[0]):
+        step = 1 / settling.block.hessian[0][0]
+        if not mean_square(settling, moments_of(settling.block, step)):
+            return listed([enclosure(step, step), enclosure(Fraction(0), Fraction(0))], (AT_ONCE,))
     guess, sides = _found(settling)
     if sides is None:
         reason = UNREACHED.format(nearest(guess))

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -33,6 +33,7 @@ class BallMoments:
 
     block: Block
     alpha: Fraction
+    exact: ClassVar[bool] = False
 
     @cached_property
     def operators(self) -> Operators:

@@ -9,14 +9,19 @@ by at most |E| Y, and Y itself lies below its approximation over 1 - |E|.
 from __future__ import annotations
 
 from fractions import Fraction
+from math import lcm
 
 from ..block_inputs import Block
 from .direct_moments import DirectMoments
 from .enclosed_moments import BallMoments
+from ..stability.moments import noise_moments
+from ..stability.stacked import places
 
 BITS = 256
 EXACT_UP_TO, DIRECT_UP_TO = 12, 6
 """Coordinates up to which a full Hessian is solved by elimination in rationals, and in balls."""
+LONGEST = 100_000
+"""Bits of a common denominator, times the unknowns, up to which the former is quick."""
 
 Moments = DirectMoments | BallMoments
 
@@ -33,5 +38,13 @@ def moments_of(block: Block, alpha: Fraction, exact: bool = True) -> Moments:
         In rationals where that is bearable; else in balls of the precision that is set, for which
         `BITS` is a good one.
     """
-    direct = block.diagonal or block.size <= (EXACT_UP_TO if exact else DIRECT_UP_TO)
+    exact = exact and (block.diagonal or (block.size <= EXACT_UP_TO and _short(block)))
+    direct = exact or block.diagonal or block.size <= DIRECT_UP_TO
     return DirectMoments(block, alpha, exact) if direct else BallMoments(block, alpha)
+
+
+def _short(block: Block) -> bool:
+    """Whether elimination in rationals is bearable: its numbers grow with the denominators."""
+    given = (*block.hessian, *noise_moments(block))
+    bits = lcm(*(x.denominator for row in given for x in row)).bit_length()
+    return bits * len(places(block.size)) <= LONGEST

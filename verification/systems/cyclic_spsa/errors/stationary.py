@@ -31,7 +31,10 @@ LONGEST = 400
 GROWS = "the second moments grow at this step"
 MEAN_GROWS = "the mean itself grows at this step: alpha times the largest eigenvalue of H is >= 2"
 SPREADS = "the mean settles, but the second moments grow at this step"
-NO_FILE = "proved without a file: certificates are for Gaussian noise and up to 12 coordinates"
+NO_FILE = (
+    "proved without a file: certificates are for Gaussian noise, up to 12 coordinates and numbers "
+    "that are not too long"
+)
 NO_WORD = "floating point does not tell whether this step is stable: it is too close to the limit"
 
 

@@ -47,11 +47,11 @@ def settled(settling: Settling, moments: Moments) -> dict[str, Any] | None:
     Returns
     -------
     dict or None
-        None for many coordinates, for other than Gaussian fourth moments, and where no matrices of
-        few bits show the bounds.
+        None for many coordinates, for other than Gaussian fourth moments, where the moments are not
+        exact, and where no matrices of few bits show the bounds.
     """
     block, alpha = settling.block, moments.alpha
-    if block.size > UP_TO or settling.beyond != 0:
+    if block.size > UP_TO or settling.beyond != 0 or not moments.exact:
         return None
     z, right = decaying_at(block, alpha), right_side(settling, moments)
     above, below = (_bounding(moments, right, sign) for sign in (1, -1))

@@ -24,6 +24,8 @@ from .witnesses import diagonal_limit
 FORGETS = "for Gaussian noise; below it the error forgets its start with probability 1"
 WORD = "mean-square limit"
 HALVINGS = 200
+USABLE = Fraction(1, 10**6)
+"""Relative width up to which a bracket is an answer."""
 
 
 def lyapunov_exponent(values: Mapping[str, Any]) -> Answer:
@@ -50,9 +52,8 @@ def lyapunov_exponent(values: Mapping[str, Any]) -> Answer:
         note = "an update leaves nothing of the error with a positive probability"
         return Answer(value="-inf", verdict="PROVED", notes=(note,))
     low, high = _ends(found)
-    return Answer(
-        value=nearest((low + high) / 2), lower=below(low), upper=above(high), verdict="PROVED"
-    )
+    value = nearest((low + high) / 2) if high - low <= USABLE * max(abs(low), abs(high)) else None
+    return Answer(value=value, lower=below(low), upper=above(high), verdict="PROVED")
 
 
 def almost_sure_limit(values: Mapping[str, Any]) -> Answer:

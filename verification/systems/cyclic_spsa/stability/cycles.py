@@ -73,6 +73,7 @@ def _answer(block: Block, found: list[Limit], k: int, lists: Sequence[Sequence[i
     clear = all(limit.upper <= entry.lower or _equal(limit, entry) for entry in found)
     exact = limit.exact if clear else None
     value = limit.value if exact or limit.upper - low <= USABLE * low else None
+    document, unwritten = limit_certificate(block, limit)
     data = [
         {"coordinates": list(places), "limit": entry.value}
         for places, entry in zip(lists, found, strict=True)
@@ -84,8 +85,8 @@ def _answer(block: Block, found: list[Limit], k: int, lists: Sequence[Sequence[i
         lower=below(low),
         upper=above(limit.upper),
         verdict="PROVED",
-        certificate=limit_certificate(block, limit),
-        notes=(f"block {k + 1} decides, and the certificate is about it",),
+        certificate=document,
+        notes=(f"block {k + 1} decides, and the certificate is about it", *unwritten),
         more={"blocks_limits": lambda: Detail(data, lines)},
     )
 

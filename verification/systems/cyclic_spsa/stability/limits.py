@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import dataclass
 from fractions import Fraction
 
 from verification.exact.evaluate import Rows
-from verification.exact.rationals import below, nearest
+from verification.exact.rationals import above, below, nearest
 from verification.exact.roots import Algebraic
 
 from ..block_inputs import Block
@@ -40,6 +41,8 @@ WIDTHS = tuple(Fraction(1, 10**k) for k in (12, 11, 10, 9, 8, 7, 6))
 DOUBLE_BITS = 40
 LARGE_BITS = (256, 512)
 NARROW = Fraction(1, 10**10)
+CLOSE = Fraction(1, 2**52)
+"""Beside a number beyond the range of doubles, a bound may be so far away."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +52,7 @@ class Limit:
     Parameters
     ----------
     lower, upper : Fraction
-        Doubles, except where `upper` is the limit itself.
+        Doubles, except where `upper` is the limit itself, or there are none.
     exact : Algebraic or None
         The limit.
     decaying : Rows
@@ -70,7 +73,13 @@ class Limit:
     @property
     def value(self) -> float:
         """The double nearest to the limit, or the middle of the bracket."""
-        return self.exact.nearest if self.exact else nearest((self.lower + self.upper) / 2)
+        return self.exact.nearest if self.exact else nearest(self.centre)
+
+    @property
+    def centre(self) -> Fraction:
+        """The limit where it is rational, else the middle of the bracket."""
+        known = self.exact is not None and self.exact.low == self.exact.high
+        return self.exact.low if self.exact and known else (self.lower + self.upper) / 2
 
     def witness(self, block: Block) -> list[Item]:
         """In the order of the statement."""
@@ -99,9 +108,17 @@ def _rational(x: Fraction) -> Algebraic:
 
 
 def _under(x: Fraction) -> Fraction:
-    """The largest double below x."""
+    """The largest double below x, which is positive, or a number below where there is none."""
     low = below(x)
-    return Fraction(low if Fraction(low) < x else math.nextafter(low, -math.inf))
+    low = low if low < x else math.nextafter(low, -math.inf)
+    return Fraction(low) if sys.float_info.min < low < sys.float_info.max else x * (1 - CLOSE)
+
+
+def _over(x: Fraction) -> Fraction:
+    """The smallest double above x, which is positive, or a number above where there is none."""
+    high = above(x)
+    high = high if x < high else math.nextafter(high, math.inf)
+    return Fraction(high) if sys.float_info.min < high < math.inf else x * (1 + CLOSE)
 
 
 def _at_rational(
@@ -142,7 +159,7 @@ def _from_bits(stacked: Stacked, near: Fraction, p: Matrix, bits: int) -> Limit 
         if kept is not None:
             return _at_rational(block, exact.low, *kept)
     slack = near / 2 ** (bits // 2)
-    lower, upper = _under(near - slack), -_under(-near - slack)
+    lower, upper = _under(near - slack), _over(near + slack)
     z, rows = decaying_at(block, lower), rounded_growing(block, p, upper)
     if z is None or rows is None:
         return None
@@ -180,7 +197,7 @@ def _bracket(block: Block, bits: int | None, widths: tuple[Fraction, ...]) -> Li
         return None
     near, p, z = found.limit, found.kept, found.decaying
     for width in widths:
-        lower, upper = (Fraction(nearest(near * (1 + side * width / 2))) for side in (-1, 1))
+        lower, upper = _under(near * (1 - width / 2)), _over(near * (1 + width / 2))
         rows = rounded_decaying(block, z, lower, DOUBLE_BITS)
         growing = None if rows is None else rounded_growing(block, p, upper, DOUBLE_BITS)
         if rows is not None and growing is not None:

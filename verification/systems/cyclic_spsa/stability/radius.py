@@ -51,7 +51,10 @@ def spectral_radius(values: Mapping[str, Any]) -> Answer:
         return _large(block, step)
     stacked = Stacked(block)
     if block.size <= PLANE:
-        return _planar(stacked, step)
+        try:
+            return _planar(stacked, step)
+        except OverflowError:  # numbers beyond the range of doubles
+            pass
     for bits in BITS:
         found = stacked.multiplier(step, bits)
         ends = (

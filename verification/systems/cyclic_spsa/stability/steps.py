@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from verification.answers import Answer, Detail
-from verification.certificates.make import certificate
+from verification.certificates.make import CertificateError, certificate
 from verification.exact.evaluate import Rows
-from verification.exact.rationals import above, below
+from verification.exact.rationals import above, below, nearest
 from verification.input_kinds import positive
 
 from ..block_inputs import Block, block_of
+from ..printed.bounds import printed_step
 from .iterated import leading
 from .limits import BITS, LARGE_BITS, MOST_STACKED, Limit, decaying_at, limit_of
 from .moments import noise_moments
 from .stacked import Stacked
 from .witnesses import (
+    Item,
     around,
     covariance_of,
     identity_of,
@@ -30,6 +33,7 @@ from .witnesses import (
 
 USABLE = 1e-6
 WIDE = "no narrower bracket from doubles: the data are too ill-scaled for so many coordinates"
+NO_FILE = "proved without a file: {}"
 TOO_CLOSE = "alpha is too close to the limit for so many coordinates"
 
 
@@ -45,7 +49,7 @@ def step_limit(values: Mapping[str, Any]) -> Answer:
     -------
     Answer
         With a two-sided certificate; exact for a diagonal Hessian, and for a full one of up to four
-        coordinates.
+        coordinates. Beside it the end of the printed interval.
 
     Raises
     ------
@@ -60,22 +64,25 @@ def step_limit(values: Mapping[str, Any]) -> Answer:
     limit = limit_of(block)
     if limit is None:
         return Answer(verdict="UNDECIDED", notes=(WIDE,))
+    document, unwritten = limit_certificate(block, limit)
+    found = _readings(block, limit)
     narrow = limit.exact is not None or limit.upper - limit.lower <= USABLE * limit.lower
     return Answer(
         value=limit.value if narrow else None,
         exact=limit.exact.to_data() if limit.exact else None,
         lower=below(limit.lower),
         upper=above(limit.upper),
+        printed=printed_step(block),
         verdict="PROVED",
-        certificate=limit_certificate(block, limit),
-        **_readings(block, limit),
+        certificate=document,
+        notes=(*unwritten, *found.notes),
+        more=found.more,
     )
 
 
-def limit_certificate(block: Block, limit: Limit) -> dict[str, Any]:
-    """The two-sided certificate of a limit."""
-    return certificate(
-        "cyclic_spsa",
+def limit_certificate(block: Block, limit: Limit) -> tuple[dict[str, Any] | None, tuple[str, ...]]:
+    """The two-sided certificate of a limit, or None and a note why the checker reads none."""
+    return _written(
         "step_limit",
         block.inputs(),
         limit.witness(block),
@@ -85,17 +92,29 @@ def limit_certificate(block: Block, limit: Limit) -> dict[str, Any]:
     )
 
 
+def _written(
+    name: str, data: Mapping[str, Any], witness: list[Item], **more: Any
+) -> tuple[dict[str, Any] | None, tuple[str, ...]]:
+    """A certificate, or None and a note: the checker refuses numbers of too many digits."""
+    try:
+        return certificate("cyclic_spsa", name, data, witness, **more), ()
+    except CertificateError as error:
+        return None, (NO_FILE.format(error),)
+
+
 OTHER = {1: "two", 2: "one"}
 
 
-def _readings(block: Block, limit: Limit, alpha: Fraction | None = None) -> dict[str, Any]:
-    """What changes with the other number of measurement instants."""
+def _readings(block: Block, limit: Limit, alpha: Fraction | None = None) -> Answer:
+    """What changes with the other number of measurement instants: notes and details."""
     other = replace(block, instants=3 - block.instants)
     if not any(map(any, (*noise_moments(block), *noise_moments(other)))):
-        return {}
+        return Answer()
     found = limit_of(other)
-    if found is None or not (found.upper < limit.lower or limit.upper < found.lower):
-        return {}
+    if found is None or math.isinf(above(found.upper)):
+        return Answer()
+    if not (found.upper < limit.lower or limit.upper < found.lower):
+        return Answer()
     word = OTHER[block.instants]
     notes = [
         f"the limit depends on the reading: with measurements of {word} it is {found.value:.6g}"
@@ -108,7 +127,7 @@ def _readings(block: Block, limit: Limit, alpha: Fraction | None = None) -> dict
     ends = {"lower": below(found.lower), "upper": above(found.upper)}
     data = {"reading": word, "value": found.value, **ends}
     detail = Detail(data, ((f"limit, reading {word}", f"{found.value:.10g}"),))
-    return {"notes": tuple(notes), "more": {"other_reading": lambda: detail}}
+    return Answer(notes=tuple(notes), more={"other_reading": lambda: detail})
 
 
 def decide_step(values: Mapping[str, Any]) -> Answer:
@@ -136,18 +155,19 @@ def decide_step(values: Mapping[str, Any]) -> Answer:
     if found is None:
         return Answer(verdict="UNDECIDED", notes=(TOO_CLOSE,))
     case, chosen = found
-    document = certificate(
-        "cyclic_spsa",
+    document, unwritten = _written(
         "step",
         {**block.inputs(), "alpha": alpha},
         items((identity_of(block), *chosen, *covariance_of(block))),
         case=case,
     )
+    beside = _readings(block, limit, alpha) if limit else Answer()
     return Answer(
         verdict=case.split()[0],
         certificate=document,
-        margin=limit.value - float(alpha) if limit else None,
-        **(_readings(block, limit, alpha) if limit else {}),
+        margin=nearest(limit.centre - alpha) if limit else None,
+        notes=(*unwritten, *beside.notes),
+        more=beside.more,
     )
 
 
