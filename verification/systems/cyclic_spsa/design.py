@@ -14,7 +14,7 @@ from verification.exact.evaluate import identity, trace
 from verification.exact.rationals import above, below
 
 from .block_inputs import BLOCK, BLOCKS, DRIFT, HESSIAN, NOISE, Block, block_of
-from .errors.best_step import best_step
+from .errors.best_step import at_once, best_step
 from .errors.second_moments import BITS, moments_of
 from .errors.settling import Settling, mean_square
 from .errors.stationary import LAW, law_of
@@ -160,7 +160,8 @@ def _unit(block: Block) -> Fraction:
     """About the standard deviation of a measured coordinate and a sample's drift, to one bit."""
     spread = trace(block.noise) / block.size
     spread += sum((x**2 for x in block.drift), Fraction(0))
-    return Fraction(2) ** math.ceil(math.log2(float(spread)) / 2)
+    power = math.log2(spread.numerator) - math.log2(spread.denominator)  # no double may hold it
+    return Fraction(2) ** math.ceil(power / 2)
 
 
 def _smallest_beta(least: Callable[[Fraction], Any], unit: Fraction, allowed: float) -> Fraction:
@@ -207,7 +208,7 @@ def _certified(
     """The step in a few digits, with the certificate that it is stable, and its error."""
     import flint
 
-    alpha = _short(step)
+    alpha = at_once(block) or _short(step)
     decided = decide_step({**values, "alpha": alpha})
     if decided.verdict != "PROVED":
         return Designed(objective=objective, notes=(*notes, *decided.notes))

@@ -23,7 +23,7 @@ from verification.enclosures import ball, enclosure, ends, listed
 from verification.exact.evaluate import dot, trace
 from verification.exact.rationals import nearest
 
-from ..block_inputs import block_of
+from ..block_inputs import Block, block_of
 from ..stability.moments import noise_moments
 from .second_moments import BITS, moments_of
 from .settling import Settling, mean_square, slope
@@ -65,10 +65,9 @@ def best_step(values: Mapping[str, Any]) -> Answer:
     settling = Settling(block_of(values), law_of(values))
     if not any(settling.move):
         return Answer(value=[0.0, 0.0], verdict="PROVED", notes=(STILL,))
-    if settling.block.size == 1 and not any(noise_moments(settling.block)[0]):
-        step = 1 / settling.block.hessian[0][0]
-        if not mean_square(settling, moments_of(settling.block, step)):
-            return listed([enclosure(step, step), enclosure(Fraction(0), Fraction(0))], (AT_ONCE,))
+    step = at_once(settling.block)
+    if step is not None:
+        return listed([enclosure(step, step), enclosure(Fraction(0), Fraction(0))], (AT_ONCE,))
     guess, sides = _found(settling)
     if sides is None:
         reason = UNREACHED.format(nearest(guess))
@@ -77,6 +76,12 @@ def best_step(values: Mapping[str, Any]) -> Answer:
         error = flint.arb(mean_square(settling, moments_of(settling.block, guess, exact=False)))
         root = error.sqrt() if error > 0 else error.abs_upper().sqrt().union(flint.arb(0))
         return listed([enclosure(*sides), enclosure(*ends(root))], (ONLY, THERE))
+
+
+def at_once(block: Block) -> Fraction | None:
+    """The step with which one update removes the whole error; None but for one coordinate."""
+    still = block.size == 1 and not block.noise[0][0] and not noise_moments(block)[0][0]
+    return 1 / block.hessian[0][0] if still else None
 
 
 def _found(settling: Settling) -> tuple[Fraction, Sides | None]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from sensortrack.errors import InputError
 from verification.answers import Answer, Detail
 from verification.certificates.make import CertificateError, Item, certificate
 from verification.exact.rationals import above, below, nearest, text
@@ -207,7 +208,10 @@ def comparison(network: Network, limit: Fraction) -> Detail | None:
     if len(network.sensors) * len(network.targets) > LARGEST:
         return None
     other = next(word for word in ASSIGNMENTS if word != network.assignment)
-    found = min(plan.limit for plan in plans_of(with_assignment(network, other)))
+    try:
+        found = min(plan.limit for plan in plans_of(with_assignment(network, other)))
+    except InputError as error:  # it leaves a sensor without targets
+        return Detail({"assignment": other, "limit": None}, ((f"if {other}", error.found),))
     line = f"limit {nearest(found):.10g}, {nearest(found / limit):.4g} times this one"
     return Detail({"assignment": other, "limit": text(found)}, ((f"if {other}", line),))
 
