@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from sensortrack.errors import InputError
+from verification.exact.rationals import nearest as nearest_double
 from verification.files import require_folder, write_text
 from verification.input_kinds import brief, nearest
 from verification.inputs import read_inputs
@@ -71,4 +74,19 @@ def _values(options: argparse.Namespace, room: Any) -> dict[str, Any]:
     network = given.given_network(options, room.INPUTS, question)
     known = {entry.name for entry in room.INPUTS}
     inputs = [e for e in room.INPUTS if e.name in values or not {*values} <= known]
-    return read_inputs(inputs, values, network, question).values
+    found = read_inputs(inputs, values, network, question).values
+    for name, value in found.items():
+        _in_doubles(name, value)
+    return found
+
+
+def _in_doubles(name: str, value: Any) -> None:
+    """Refuse a number that the source, whose numbers are doubles, would hold as zero or not."""
+    if isinstance(value, tuple):
+        for entry in value:
+            _in_doubles(name, entry)
+    elif isinstance(value, Fraction):
+        double = nearest_double(value)
+        if math.isinf(double) or (value and not double):
+            size = "large" if math.isinf(double) else "small"
+            raise InputError(name, f"a number too {size} for a double", "other units are needed")

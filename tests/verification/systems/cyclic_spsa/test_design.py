@@ -109,3 +109,15 @@ def test_without_enough_inputs_the_choices_are_listed(given):
     with pytest.raises(InputError) as caught:
         choose(**given)
     assert all(design.summary in caught.value.cure for design in DESIGNS)
+
+
+def test_the_step_that_removes_the_whole_error_is_not_rounded():
+    found = choose(h=[3], eta=[1], beta=1, reading="one")
+    assert found.gains["alpha"] == Fraction(1, 3)
+    assert found.bound["rms"] < 1e-30
+
+
+def test_a_drift_that_doubles_hardly_hold_still_gets_a_design():
+    found = choose(Xi=0, eta=["1e-300", 0])
+    assert found.verdict == "PROVED"
+    assert valid(found)["verdict"] == "PROVED"

@@ -225,3 +225,13 @@ def test_bad_input_of_schedules(given, name, what):
         ahead(**PLAIN | given)
     assert caught.value.name == name
     assert what in str(caught.value)
+
+
+def test_the_best_choice_has_a_limit_where_the_nearest_one_fails():
+    """The nearest sensor sees nothing; the next one does."""
+    given_ = {"sensors": [[-5, 0], [2, 0], [1, 1]], "targets": [[3, -3]], "reach": 4}
+    found = ask(**PLAIN | given_ | {"assignment": "best"})
+    assert found.verdict == "PROVED"
+    assert found.more["other"]().data == {"assignment": "nearest", "limit": None}
+    with pytest.raises(InputError, match=r"^sensors: sensor 0, "):
+        ask(**PLAIN | given_)
