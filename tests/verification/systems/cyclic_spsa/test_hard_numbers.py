@@ -14,14 +14,14 @@ from verification.certificates import check
 from verification.cli.main import main
 from verification.exact.rationals import nearest
 from verification.inputs import as_text, read_inputs
-from verification.systems.cyclic_spsa import second_moments
 from verification.systems.cyclic_spsa.block_inputs import ALPHA, BLOCK, block_of
-from verification.systems.cyclic_spsa.bounds import INTERVAL, printed_interval
-from verification.systems.cyclic_spsa.limits import limit_of
+from verification.systems.cyclic_spsa.errors import second_moments
+from verification.systems.cyclic_spsa.errors.stationary import MEAN_SQUARE, stationary_mse
+from verification.systems.cyclic_spsa.printed.bounds import INTERVAL, printed_interval
 from verification.systems.cyclic_spsa.quantities import CONDITIONS, QUANTITIES
-from verification.systems.cyclic_spsa.radius import spectral_radius
-from verification.systems.cyclic_spsa.stability import decide_step, step_limit
-from verification.systems.cyclic_spsa.stationary import MEAN_SQUARE, stationary_mse
+from verification.systems.cyclic_spsa.stability.limits import limit_of
+from verification.systems.cyclic_spsa.stability.radius import spectral_radius
+from verification.systems.cyclic_spsa.stability.steps import decide_step, step_limit
 
 FULL = {"H": [[2, "1/3"], ["1/3", 1]], "Xi": "1/7", "eta": ["1/5", "1/11"], "beta": "1/2"}
 

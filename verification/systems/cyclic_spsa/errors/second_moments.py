@@ -12,10 +12,10 @@ from fractions import Fraction
 from math import lcm
 
 from ..block_inputs import Block
-from .direct_moments import DirectMoments
-from .enclosed_moments import BallMoments
 from ..stability.moments import noise_moments
 from ..stability.stacked import places
+from .direct_moments import DirectMoments
+from .enclosed_moments import BallMoments
 
 BITS = 256
 EXACT_UP_TO, DIRECT_UP_TO = 12, 6
