@@ -10,7 +10,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.answers import Input
 from verification.exact.definite import congruence
-from verification.exact.evaluate import Rows, trace
+from verification.exact.evaluate import Rows
 from verification.input_kinds import positive
 
 READINGS = {"one": 1, "two": 2}
