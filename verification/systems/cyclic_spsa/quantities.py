@@ -10,14 +10,21 @@ from .errors.best_step import best_step
 from .errors.random_walks import WALK, random_walk_mse
 from .errors.stationary import BEST, MEAN, MEAN_SQUARE, stationary_mean, stationary_mse
 from .network.measurement_moments import MEASUREMENT, measurement_moments
+from .printed.beside import limit_beside_printed
 from .printed.bounds import ERROR, INTERVAL, corrected_bound, printed_bound, printed_interval
 from .stability.almost_sure import almost_sure_limit, lyapunov_exponent
 from .stability.cycles import CYCLE, blocks_step_limit
 from .stability.radius import spectral_radius
-from .stability.steps import decide_step, step_limit
+from .stability.steps import decide_step
 
 QUANTITIES: tuple[Quantity, ...] = (
-    Quantity("step_limit", "supremum of alpha with mean-square stability", BLOCK, step_limit, True),
+    Quantity(
+        "step_limit",
+        "supremum of alpha with mean-square stability",
+        BLOCK,
+        limit_beside_printed,
+        True,
+    ),
     Quantity(
         "blocks_step_limit",
         "the same for a cycle of blocks of whole targets",

@@ -170,7 +170,7 @@ def test_one_number_means_every_coordinate_of_noise_and_drift():
 @settings(max_examples=10)
 @given(definite_matrices(3))
 def test_the_printed_step_is_the_end_of_the_printed_interval(rows):
-    found = limit(H=as_text(rows), beta=1)
+    found = ask("step_limit", H=as_text(rows), beta=1)
     low, *_, high = np.linalg.eigvalsh(np.array(rows, dtype=float))
     given_ = {"d": 3, "mu": str(Fraction(low)), "M": str(Fraction(high)), "beta": 1}
     end = printed_interval(read_inputs(INTERVAL, given_).values).value[1]
@@ -182,7 +182,7 @@ def test_the_printed_step_is_the_end_of_the_printed_interval(rows):
 
 
 def test_no_printed_step_where_doubles_do_not_tell():
-    found = limit(H=[[1, "0.9999999999999"], ["0.9999999999999", 1]], beta=1)
+    found = ask("step_limit", H=[[1, "0.9999999999999"], ["0.9999999999999", 1]], beta=1)
     assert found.printed is None
     assert found.verdict == "PROVED"
 

@@ -6,21 +6,14 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-import numpy as np
-
 from sensortrack.errors import InputError
 from theory.systems.cyclic_spsa.bounds import CUTS, PRINTED, PROVED, SPLIT, Bound, evaluated, table
 from verification.answers import Answer, Input
 from verification.enclosures import ball, enclosure, ends, listed, single
-from verification.exact.rationals import nearest
 from verification.exact.spectral import Enclosure
 from verification.input_kinds import positive
 
-from ..block_inputs import Block
-
 BITS = 256
-COARSE = Fraction(1, 10**6)
-"""Smallest eigenvalue, over the largest entry, that doubles tell to ten digits."""
 COORDINATES = Input("d", "number", "coordinates of a block, a whole number")
 CONVEXITY = Input("mu", "number", "constant of Assumption 1, above 0", "F/m^2")
 SMOOTHNESS = Input("M", "number", "Lipschitz constant of Assumption 2, at least mu", "F/m^2")
@@ -71,7 +64,7 @@ def printed_interval(values: Mapping[str, Any]) -> Answer:
         A number is out of range; M < mu alone is not: the note says that no cost has it.
     """
     given = _numbers(values, INTERVAL)
-    limit = _limit(PRINTED, given)
+    limit = interval_end(PRINTED, given)
     split = evaluated(SPLIT.tree, {**given, **_lines(PRINTED, given)})
     possible = given["M"] >= given["mu"]
     note = NEVER if possible else IMPOSSIBLE
@@ -118,39 +111,11 @@ def corrected_bound(values: Mapping[str, Any]) -> Answer:
     return _bounded(PROVED, values)
 
 
-def printed_step(block: Block) -> float | None:
-    """The end mu/gamma of the printed interval for a quadratic cost: d, mu and M are those of H.
-
-    c3 is 0, which Assumption 5 as printed allows any quadratic cost.
-
-    Returns
-    -------
-    float or None
-        None where doubles do not tell the smallest eigenvalue of H.
-    """
-    low, high = _extreme_eigenvalues(block)
-    if not low > 0:
-        return None
-    numbers = {"d": Fraction(block.size), "mu": low, "M": high, "beta": block.beta}
-    return nearest(_limit(PRINTED, {**numbers, "c3": Fraction(0)}))
-
-
-def _extreme_eigenvalues(block: Block) -> tuple[Fraction, Fraction]:
-    """Of the Hessian: exact if it is diagonal, else in doubles, zeros where they are too coarse."""
-    own = [block.hessian[i][i] for i in range(block.size)]
-    if block.diagonal:
-        return min(own), max(own)
-    unit = max(own)
-    found = np.linalg.eigvalsh([[float(x / unit) for x in row] for row in block.hessian])
-    low, high = Fraction(float(found[0])), Fraction(float(found[-1]))
-    return (low * unit, high * unit) if low > COARSE else (Fraction(0), Fraction(0))
-
-
 def _bounded(bound: Bound, values: Mapping[str, Any]) -> Answer:
     given = _numbers(values, ERROR)
     if given["M"] < given["mu"]:
         raise InputError("M", f"{given['M']}, mu being {given['mu']}", "M >= mu is needed")
-    limit, blocks = _limit(bound, given), given["k"]
+    limit, blocks = interval_end(bound, given), given["k"]
     if given["alpha"] >= limit:
         return Answer(value="inf", verdict="PROVED", notes=(OUTSIDE.format(limit),))
     notes = (ALL_BLOCKS.format(blocks) + ONE_BLOCK.format(blocks),) if blocks > 1 else ()
@@ -182,8 +147,15 @@ def _lines(bound: Bound, given: Mapping[str, Fraction]) -> dict[str, Fraction]:
     return found
 
 
-def _limit(bound: Bound, given: Mapping[str, Fraction]) -> Fraction:
-    """mu/gamma, the supremum of the steps."""
+def interval_end(bound: Bound, given: Mapping[str, Fraction]) -> Fraction:
+    """mu/gamma, the supremum of the steps.
+
+    Parameters
+    ----------
+    bound : Bound
+    given : mapping of str to Fraction
+        ``d``, ``mu``, ``M``, ``beta`` and ``c3``.
+    """
     return _lines(bound, given)[bound.limit[-1].name]
 
 

@@ -15,7 +15,6 @@ from verification.exact.rationals import above, below, nearest
 from verification.input_kinds import positive
 
 from ..block_inputs import Block, block_of
-from ..printed.bounds import printed_step
 from .iterated import leading
 from .limits import BITS, LARGE_BITS, MOST_STACKED, Limit, decaying_at, limit_of
 from .moments import noise_moments
@@ -49,7 +48,7 @@ def step_limit(values: Mapping[str, Any]) -> Answer:
     -------
     Answer
         With a two-sided certificate; exact for a diagonal Hessian, and for a full one of up to four
-        coordinates. Beside it the end of the printed interval.
+        coordinates.
 
     Raises
     ------
@@ -72,7 +71,6 @@ def step_limit(values: Mapping[str, Any]) -> Answer:
         exact=limit.exact.to_data() if limit.exact else None,
         lower=below(limit.lower),
         upper=above(limit.upper),
-        printed=printed_step(block),
         verdict="PROVED",
         certificate=document,
         notes=(*unwritten, *found.notes),
