@@ -14,8 +14,8 @@ from scipy.sparse.linalg import splu
 from sensortrack.networks import Network, read_network
 from verification.certificates import check
 from verification.certificates.make import certificate, statements
-from verification.exact.sparse_ldl import analyse, factorise
-from verification.exact.spectral_gap import connectivity_bracket
+from verification.exact.laplacians.sparse_ldl import analyse, factorise
+from verification.exact.laplacians.spectral_gap import connectivity_bracket
 
 SIZES = (1000, 10_000, 100_000)
 CHECKED = (1000, 10_000)

@@ -13,8 +13,8 @@ from scipy.integrate import solve_ivp
 
 from sensortrack.consensus import SignConsensus
 from sensortrack.networks import read_network
-from verification.exact.filippov import filippov_run
-from verification.exact.prox import implicit_step
+from verification.exact.runs.filippov import filippov_run
+from verification.exact.runs.prox import implicit_step
 
 FAMILIES = ("path:{}", "random_geometric:{},0.2,1")
 SIZES = (25, 50, 100, 200)

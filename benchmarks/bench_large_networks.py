@@ -21,7 +21,7 @@ import pytest
 from sensortrack.networks import Network, read_network
 from verification.certificates import check
 from verification.certificates.make import certificate, statements
-from verification.exact.cuts import CutBracket, threshold
+from verification.exact.cuts.extreme import CutBracket, threshold
 
 RANDOM = {
     "watts_strogatz": ("connected_watts_strogatz_graph", {"k": 8, "p": 0.02}),

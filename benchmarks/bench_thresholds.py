@@ -8,7 +8,7 @@ import pytest
 
 from sensortrack.data import load_network, real_networks
 from sensortrack.networks import Network, read_network
-from verification.exact.cuts import threshold
+from verification.exact.cuts.extreme import threshold
 
 LABELS = (
     "sndlib_polska",

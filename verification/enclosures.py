@@ -7,9 +7,9 @@ from fractions import Fraction
 from typing import Any
 
 from .answers import Answer
-from .exact.modes import exact
 from .exact.rationals import above, below, nearest
-from .exact.spectral import Enclosure
+from .exact.spectra.modes import exact
+from .exact.spectra.spectral import Enclosure
 
 
 def ball(x: Fraction | int) -> Any:

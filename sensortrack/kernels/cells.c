@@ -3,7 +3,7 @@
  * A graph of n nodes is given by rows: the neighbours of node i are near[start[i]] ..
  * near[start[i + 1] - 1], in the order in which their edges are listed. Each node has a home; walks
  * stay within the home in which they begin. What the functions are for, and the same in Python, is
- * in verification/exact/wiring.py and cell_routing.py.
+ * in verification/exact/cells/wiring.py and cell_routing.py.
  */
 #include <math.h>
 #include <stdint.h>

@@ -4,7 +4,7 @@
  * of s nodes has the weight k of its leaving edges and the load (n - 2 s) g(S) + s g(all). It is
  * clear if D = b k - c load >= 0 and D^2 q >= d^2 s (n - s). A branch ends where even the least k,
  * the largest load and the largest s (n - s) that its completions can have are clear. What the
- * modes are for, and why the search is exhaustive, is said in verification/exact/cut_search.py.
+ * modes are for, and why the search is exhaustive, is said in verification/exact/cuts/cut_search.py.
  *
  * The caller makes sure that no product below leaves 127 bits.
  */

@@ -6,7 +6,8 @@
  * v - c|c| >= slack + sum |w - c q|; then sign(c) q q' is subtracted. What rounding leaves is diagonally
  * dominant with a diagonal >= 0, so that the matrix is >= sum of sign(c) (c, q)(c, q)'. If one c at most
  * is negative, this is >= 0 wherever that one product vanishes. The same choices are made in
- * verification/exact/elimination.py and, for all to read, in verification/certificates/check.py.
+ * verification/exact/laplacians/elimination.py and, for all to read, in
+ * verification/certificates/check.py.
  *
  * Products stay below 2^126: the squares of the q of each row add up to less than 2^124, and Cauchy and
  * Schwarz bound all other sums. Supernodes and updates are as in ldl.c.

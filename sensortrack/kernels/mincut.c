@@ -2,7 +2,7 @@
  *
  * Graphs are given by rows: the neighbours of node v are head[first[v]] .. head[first[v+1] - 1].
  * Every result is a proposal that the caller measures. What the loops are for is said in
- * verification/exact/cut_graph.py, band_cuts.py and cut_annealing.py, whose roads in Python do the
+ * verification/exact/cuts/cut_graph.py, band_cuts.py and cut_annealing.py, whose roads in Python do the
  * same steps in the same order.
  */
 #include <math.h>

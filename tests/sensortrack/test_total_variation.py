@@ -19,7 +19,7 @@ from sensortrack.kernels.split import split
 from sensortrack.kernels.tree import tree_flow
 from sensortrack.networks import Network, read_network
 from tests.strategies import networks, trees
-from verification.exact.prox import levelled
+from verification.exact.runs.prox import levelled
 
 compiles = pytest.mark.skipif(kernel("split", native=True).library is None, reason="no C compiler")
 WITHOUT = "SENSORTRACK_NO_COMPILER"

@@ -20,9 +20,9 @@ from itertools import combinations
 import numpy as np
 
 from sensortrack.networks import Network
-from verification.exact.filippov import filippov_run
-from verification.exact.prox import centred
-from verification.exact.spectral_gap import connectivity_bracket
+from verification.exact.laplacians.spectral_gap import connectivity_bracket
+from verification.exact.runs.filippov import filippov_run
+from verification.exact.runs.prox import centred
 
 FOLLOWED = 100
 """For how many printed times a run is followed."""

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.strategies import networks, rationals
-from verification.exact.filippov import filippov_run
+from verification.exact.runs.filippov import filippov_run
 from verification.systems.bearing_dac.runs import trajectory
 
 from .documents import accepts, text

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, networks, rationals
 from verification.certificates import check
-from verification.exact.spectral_gap import connectivity_bracket
+from verification.exact.laplacians.spectral_gap import connectivity_bracket
 
 from .documents import REFUSALS, accepts, checked, vector
 from .samples import APART, LADDER, PAIR, PATH, RING

@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 
 from sensortrack.networks import Network
-from verification.exact.filippov import filippov_run
+from verification.exact.runs.filippov import filippov_run
 
 from .own_samples import assumptions, network, unlike_costs
 from .stability_samples import mean_square, stable_step, stable_steps

@@ -13,14 +13,14 @@ from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
 from tests.verification.exact.literal_cuts import Component, cell_loads, check_clear
 from verification.certificates import check
-from verification.exact import cell_bounds, cell_flows, cell_routing, wiring
-from verification.exact.cell_bounds import route_by_cells
-from verification.exact.cell_routing import CellRouting, add_exact, rounded_up
-from verification.exact.cells import hierarchy, places
-from verification.exact.charts import chart
+from verification.exact.cells import cell_bounds, cell_flows, cell_routing, wiring
+from verification.exact.cells.cell_bounds import route_by_cells
+from verification.exact.cells.cell_routing import CellRouting, add_exact, rounded_up
+from verification.exact.cells.cells import hierarchy, places
+from verification.exact.cells.charts import chart
 from verification.exact.cut_problem import Problem, problem
-from verification.exact.cut_reference import enumerate_all
-from verification.exact.cuts import threshold
+from verification.exact.cuts.cut_reference import enumerate_all
+from verification.exact.cuts.extreme import threshold
 
 ONE, ZERO = Fraction(1), Fraction(0)
 STEPS = 2_000_000

@@ -11,8 +11,8 @@ from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
 from tests.verification.certificates.cut_cases import all_cuts
 from verification.exact.cut_problem import Aim, Hurdle, problem
-from verification.exact.cut_rates import least_weights, shown_hurdle
-from verification.exact.cuts import margin, slowest, threshold
+from verification.exact.cuts.cut_rates import least_weights, shown_hurdle
+from verification.exact.cuts.extreme import margin, slowest, threshold
 
 
 def cuts_of(network, gamma):

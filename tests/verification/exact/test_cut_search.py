@@ -12,11 +12,11 @@ from sensortrack.kernels import kernel
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
 from verification.certificates import check
-from verification.exact import cut_roads
-from verification.exact.cut_orders import orders, twin_groups
 from verification.exact.cut_problem import Aim, Hurdle, Problem, problem
-from verification.exact.cut_roads import Budget, refute_or_show, solve
-from verification.exact.cut_search import Walk, twins
+from verification.exact.cuts import cut_roads
+from verification.exact.cuts.cut_orders import orders, twin_groups
+from verification.exact.cuts.cut_roads import Budget, refute_or_show, solve
+from verification.exact.cuts.cut_search import Walk, twins
 
 needs_compiler = pytest.mark.skipif(
     kernel("cuts").library is None, reason=kernel("cuts").reason or "compiled"

@@ -14,9 +14,9 @@ from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, networks, rationals
 from tests.verification.exact.literal_cuts import Refused, check_clear, check_reaches
 from verification.certificates.make import CertificateError, certificate
-from verification.exact.cut_components import flat, spread
-from verification.exact.cut_reference import CutData, enumerate_all
-from verification.exact.cuts import CutBracket, decide, margin, slowest, threshold
+from verification.exact.cuts.cut_components import flat, spread
+from verification.exact.cuts.cut_reference import CutData, enumerate_all
+from verification.exact.cuts.extreme import CutBracket, decide, margin, slowest, threshold
 
 ONE = Fraction(1)
 ZERO = Fraction(0)

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
-from verification.exact import edge_choice
-from verification.exact.cut_reference import enumerate_all
-from verification.exact.cuts import threshold
-from verification.exact.edge_choice import EdgeChoice, choose_edge, with_edge
+from verification.exact.cuts import edge_choice
+from verification.exact.cuts.cut_reference import enumerate_all
+from verification.exact.cuts.edge_choice import EdgeChoice, choose_edge, with_edge
+from verification.exact.cuts.extreme import threshold
 
 ONE = Fraction(1)
 

@@ -10,15 +10,15 @@ from hypothesis import strategies as st
 from sensortrack.kernels import kernel
 from sensortrack.networks import Network, read_network
 from tests.strategies import networks, rationals
-from verification.exact import elimination
-from verification.exact.elimination import (
+from verification.exact.laplacians import elimination
+from verification.exact.laplacians.elimination import (
     EliminationError,
     Matrix,
     negatives,
     negatives_in_python,
     pivot,
 )
-from verification.exact.sparse_pattern import analyse
+from verification.exact.laplacians.sparse_pattern import analyse
 
 compiled = pytest.mark.skipif(not kernel("eliminate").library, reason="no C compiler")
 

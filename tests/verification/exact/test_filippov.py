@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from sensortrack.data import load_network
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, networks, rationals
-from verification.exact.cuts import slowest, threshold
-from verification.exact.filippov import LongRunError, filippov_run
-from verification.exact.prox import centred, implicit_step
+from verification.exact.cuts.extreme import slowest, threshold
+from verification.exact.runs.filippov import LongRunError, filippov_run
+from verification.exact.runs.prox import centred, implicit_step
 
 FEW = settings(max_examples=30)
 GAINS = rationals(Fraction(1, 5), 3, 5)

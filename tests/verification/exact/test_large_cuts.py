@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 from sensortrack.errors import InputError
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
-from verification.exact.band_cuts import around, band_cuts, improved
-from verification.exact.cut_annealing import Schedule, annealed
-from verification.exact.cut_components import flat
-from verification.exact.cut_graph import (
+from verification.exact.cut_problem import Aim, Hurdle, Problem, problem
+from verification.exact.cuts.band_cuts import around, band_cuts, improved
+from verification.exact.cuts.cut_annealing import Schedule, annealed
+from verification.exact.cuts.cut_components import flat
+from verification.exact.cuts.cut_graph import (
     CutGraph,
     Flags,
     Scales,
@@ -23,10 +24,9 @@ from verification.exact.cut_graph import (
     contracted,
     graph_of,
 )
-from verification.exact.cut_lines import slow_modes, sweep_values
-from verification.exact.cut_problem import Aim, Hurdle, Problem, problem
-from verification.exact.cut_reference import enumerate_all
-from verification.exact.large_cuts import Effort, large_cut, network_cut
+from verification.exact.cuts.cut_lines import slow_modes, sweep_values
+from verification.exact.cuts.cut_reference import enumerate_all
+from verification.exact.cuts.large_cuts import Effort, large_cut, network_cut
 
 ANY_LOAD, WEIGHT_ALONE = Hurdle(0, 1), Hurdle(1, 0)
 ONE = Fraction(1)

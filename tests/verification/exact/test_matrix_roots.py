@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.strategies import rationals
-from verification.exact.matrix_roots import root_enclosure
+from verification.exact.spectra.matrix_roots import root_enclosure
 
 
 def rows(matrix):

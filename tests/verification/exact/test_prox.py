@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, networks, rationals, trees
-from verification.exact.cuts import slowest, threshold
-from verification.exact.prox import (
+from verification.exact.cuts.extreme import slowest, threshold
+from verification.exact.runs.prox import (
     centred,
     explicit_step,
     implicit_step,

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from sensortrack.errors import InputError
 from tests.strategies import definite_matrices, rationals
 from verification.exact.evaluate import add, identity, multiply, quadratic, scaled
-from verification.exact.rayleigh import generalized_ratio, image_ratio
+from verification.exact.spectra.rayleigh import generalized_ratio, image_ratio
 
 
 def exact(rows):

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
 from tests.verification.exact.literal_cuts import Refused, check_clear
-from verification.exact import flow_programs
 from verification.exact.cut_problem import problem
-from verification.exact.cut_reference import enumerate_all
-from verification.exact.routing import better_routing, closes, first_routing, route
+from verification.exact.cuts import flow_programs
+from verification.exact.cuts.cut_reference import enumerate_all
+from verification.exact.cuts.routing import better_routing, closes, first_routing, route
 
 ONE, ZERO = Fraction(1), Fraction(0)
 

@@ -9,8 +9,8 @@ from sensortrack.errors import InputError
 from sensortrack.kernels import kernel
 from sensortrack.networks import Network, read_network
 from tests.strategies import networks
-from verification.exact.nested_dissection import elimination_order
-from verification.exact.sparse_ldl import FactorError, analyse, factorise
+from verification.exact.laplacians.nested_dissection import elimination_order
+from verification.exact.laplacians.sparse_ldl import FactorError, analyse, factorise
 
 ROADS = [
     pytest.param("0", id="C", marks=pytest.mark.skipif(not kernel("ldl").library, reason="no C")),

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from sensortrack.errors import InputError
 from tests.strategies import rationals
 from verification.exact.evaluate import identity, multiply, scaled
-from verification.exact.modes import candidates, integer_matrices
-from verification.exact.spectral import WIDTH, pencil_radius, spectral_radius
-from verification.exact.stein import proves_above, proves_below
+from verification.exact.spectra.modes import candidates, integer_matrices
+from verification.exact.spectra.spectral import WIDTH, pencil_radius, spectral_radius
+from verification.exact.spectra.stein import proves_above, proves_below
 
 
 def exact(rows):
@@ -170,7 +170,7 @@ def test_the_result_does_not_depend_on_what_ran_before():
 
 
 def test_a_bracket_that_stays_wide_says_so(monkeypatch):
-    monkeypatch.setattr("verification.exact.modes.LADDER", ())
+    monkeypatch.setattr("verification.exact.spectra.modes.LADDER", ())
     found = spectral_radius(similar(jordan(3, Fraction(1, 2)), seed=2))
     assert found.width > 1e-7
     assert Fraction(found.lower) < Fraction(1, 2) < Fraction(found.upper)

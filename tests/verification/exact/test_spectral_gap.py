@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
 from verification.certificates.make import CertificateError, certificate
-from verification.exact import slow_modes, spectral_gap
-from verification.exact.gap_vectors import laplacian_rows, rayleigh
-from verification.exact.spectral_gap import (
+from verification.exact.laplacians import slow_modes, spectral_gap
+from verification.exact.laplacians.gap_vectors import laplacian_rows, rayleigh
+from verification.exact.laplacians.spectral_gap import (
     NoBracketError,
     connectivity_bracket,
     connectivity_value,

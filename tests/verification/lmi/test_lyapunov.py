@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.strategies import rationals
 from verification.exact.balls import ball_definite
 from verification.exact.evaluate import identity, scaled
-from verification.exact.spectral import spectral_radius
+from verification.exact.spectra.spectral import spectral_radius
 from verification.lmi import lyapunov
 from verification.lmi.lyapunov import contraction, contraction_lmi, decay, decay_lmi
 from verification.lmi.margin import Solution, Stage

@@ -9,7 +9,7 @@ from typing import Any
 from sensortrack.networks import Network
 from verification.answers import Answer
 from verification.certificates.make import CertificateError, certificate
-from verification.exact.cuts import CutBracket
+from verification.exact.cuts.extreme import CutBracket
 from verification.exact.rationals import above, below, nearest
 
 SYSTEM = "bearing_dac"

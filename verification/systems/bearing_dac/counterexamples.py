@@ -17,8 +17,8 @@ from typing import Any
 from sensortrack.networks import Network, read_network
 from verification.adversary.small_graphs import connected_graphs
 from verification.certificates.make import certificate
+from verification.exact.laplacians.spectral_gap import connectivity_bracket
 from verification.exact.solving import solved
-from verification.exact.spectral_gap import connectivity_bracket
 
 LAMBDA_DIGITS = 1000
 GAMMAS_OF_TIME = (Fraction(1), Fraction(0))

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from sensortrack.networks import Network
 from verification.answers import Detail
-from verification.exact.cuts import CutBracket, threshold
-from verification.exact.edge_choice import EdgeChoice, choose_edge
+from verification.exact.cuts.edge_choice import EdgeChoice, choose_edge
+from verification.exact.cuts.extreme import CutBracket, threshold
 from verification.exact.rationals import nearest
 from verification.input_kinds import brief
 

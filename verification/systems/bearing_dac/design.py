@@ -10,9 +10,9 @@ from typing import Any
 from sensortrack.errors import InputError
 from sensortrack.networks import Network
 from verification.answers import Design, Designed, Input
-from verification.exact.cut_components import components, spread
-from verification.exact.cuts import CutBracket, slowest, threshold
-from verification.exact.edge_choice import with_edge
+from verification.exact.cuts.cut_components import components, spread
+from verification.exact.cuts.edge_choice import with_edge
+from verification.exact.cuts.extreme import CutBracket, slowest, threshold
 from verification.exact.rationals import above, nearest
 from verification.input_kinds import positive
 

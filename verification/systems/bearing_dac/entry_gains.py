@@ -17,8 +17,8 @@ from sensortrack.errors import InputError
 from sensortrack.networks import Network
 from verification.answers import Answer
 from verification.certificates.make import CertificateError, certificate
-from verification.exact.cut_components import flat
-from verification.exact.cuts import CutBracket, threshold
+from verification.exact.cuts.cut_components import flat
+from verification.exact.cuts.extreme import CutBracket, threshold
 from verification.exact.rationals import above, below, nearest
 
 from .brackets import NO_WITNESS, OPEN, SYSTEM, USABLE

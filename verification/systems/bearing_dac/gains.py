@@ -11,9 +11,9 @@ from typing import Any
 from sensortrack.networks import Network
 from verification.answers import Answer
 from verification.certificates.make import certificate
-from verification.exact.cuts import decide, threshold
+from verification.exact.cuts.extreme import decide, threshold
+from verification.exact.laplacians.spectral_gap import connectivity_value
 from verification.exact.rationals import nearest
-from verification.exact.spectral_gap import connectivity_value
 
 from .brackets import BY_INTEGERS, SYSTEM, answer, too_long
 from .critical import explained

@@ -22,7 +22,7 @@ from theory.systems.bearing_dac.lemma_statements import (
 )
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows, add, identity, multiply, scaled
-from verification.exact.gap_vectors import laplacian_rows
+from verification.exact.laplacians.gap_vectors import laplacian_rows
 from verification.verdict import Decision, Verdict
 
 SYSTEM = "bearing_dac"

@@ -12,17 +12,17 @@ from sensortrack.networks import Network
 from verification.answers import Answer
 from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate
-from verification.exact.cut_components import spread
-from verification.exact.cuts import CutBracket, margin, slowest
-from verification.exact.elimination import CHECKED
-from verification.exact.rationals import above, below, nearest
-from verification.exact.spectral_gap import (
+from verification.exact.cuts.cut_components import spread
+from verification.exact.cuts.extreme import CutBracket, margin, slowest
+from verification.exact.laplacians.elimination import CHECKED
+from verification.exact.laplacians.spectral_gap import (
     Gap,
     NoBracketError,
     connectivity_bracket,
     connectivity_value,
     exact_connectivity,
 )
+from verification.exact.rationals import above, below, nearest
 from verification.exact.square_roots import exact_square_root, square_root_beside
 
 from .brackets import OPEN, SYSTEM, USABLE, answer

@@ -8,10 +8,10 @@ from fractions import Fraction
 from itertools import pairwise
 
 from sensortrack.networks import Network
-from verification.exact.cuts import slowest
-from verification.exact.filippov import Phase, Run, filippov_run
-from verification.exact.prox import Numbers, centred, explicit_step, implicit_step
+from verification.exact.cuts.extreme import slowest
 from verification.exact.rationals import nearest
+from verification.exact.runs.filippov import Phase, Run, filippov_run
+from verification.exact.runs.prox import Numbers, centred, explicit_step, implicit_step
 from verification.figure import Axis, Curve, Plot
 
 from .network_inputs import squared_norm

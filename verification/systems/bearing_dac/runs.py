@@ -10,10 +10,10 @@ from typing import Any
 from sensortrack.networks import Network
 from verification.answers import Answer
 from verification.certificates.make import CertificateError, certificate
-from verification.exact.cut_components import spread
-from verification.exact.cuts import CutBracket, slowest
-from verification.exact.filippov import LongRunError, Run, filippov_run
+from verification.exact.cuts.cut_components import spread
+from verification.exact.cuts.extreme import CutBracket, slowest
 from verification.exact.rationals import above, below, nearest, root
+from verification.exact.runs.filippov import LongRunError, Run, filippov_run
 from verification.input_kinds import positive
 
 from .brackets import NO_WITNESS, OPEN, SYSTEM, TOO_LONG

@@ -19,10 +19,10 @@ from sensortrack.errors import InputError
 from sensortrack.networks import Network
 from verification.answers import Answer, Detail
 from verification.certificates.make import CertificateError, certificate
-from verification.exact.cut_components import flat
-from verification.exact.cut_families import disjoint, worst_threshold
 from verification.exact.cut_problem import Hurdle, problem
-from verification.exact.cuts import CutBracket, threshold
+from verification.exact.cuts.cut_components import flat
+from verification.exact.cuts.cut_families import disjoint, worst_threshold
+from verification.exact.cuts.extreme import CutBracket, threshold
 from verification.exact.rationals import below, nearest
 from verification.input_kinds import brief
 

@@ -21,9 +21,9 @@ from theory.systems.variational.statements.late import (
 from verification.answers import Answer
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows, add, at, identity, scaled
-from verification.exact.modes import candidates, integer_matrices
 from verification.exact.rationals import above, below
-from verification.exact.stein import decaying_form, staying_form
+from verification.exact.spectra.modes import candidates, integer_matrices
+from verification.exact.spectra.stein import decaying_form, staying_form
 
 from .gains import definite_gains
 from .steps import step_limit

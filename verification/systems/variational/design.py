@@ -18,7 +18,7 @@ from verification.answers import Design, Designed, Input
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows, identity
 from verification.exact.rationals import above, nearest
-from verification.exact.stationary import covariance
+from verification.exact.spectra.stationary import covariance
 
 from .delays import block
 from .error_systems import error_system

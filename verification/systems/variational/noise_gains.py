@@ -10,8 +10,8 @@ from verification.answers import Answer
 from verification.enclosures import listed
 from verification.exact.evaluate import Rows
 from verification.exact.rationals import above, below, nearest
-from verification.exact.spectral import Enclosure
-from verification.exact.stationary import Ends, covariance, diagonal, enclosed_diagonals
+from verification.exact.spectra.spectral import Enclosure
+from verification.exact.spectra.stationary import Ends, covariance, diagonal, enclosed_diagonals
 
 from .error_systems import error_system, stable_question, unbounded
 

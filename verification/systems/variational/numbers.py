@@ -16,10 +16,10 @@ from theory.algebra.noncommuting import letters, scalars
 from theory.systems.variational.block_form import ENERGY, LEFT, NOW, RIGHT
 from theory.systems.variational.statements.common import EQUATION
 from verification.answers import Answer
-from verification.exact.abscissa import pencil_abscissa
 from verification.exact.evaluate import Rows, assembled
-from verification.exact.rayleigh import image_ratio
-from verification.exact.spectral import Enclosure, pencil_radius
+from verification.exact.spectra.abscissa import pencil_abscissa
+from verification.exact.spectra.rayleigh import image_ratio
+from verification.exact.spectra.spectral import Enclosure, pencil_radius
 
 from .gains import definite_gains, positive_step
 

@@ -10,8 +10,8 @@ from theory.algebra.noncommuting import Form, inverse
 from verification.answers import Answer
 from verification.enclosures import listed
 from verification.exact.evaluate import Rows, at
-from verification.exact.peaks import Channel, peak
-from verification.exact.spectral import Enclosure
+from verification.exact.spectra.peaks import Channel, peak
+from verification.exact.spectra.spectral import Enclosure
 
 from .error_systems import NOISY, STEP, stable_question, unbounded
 

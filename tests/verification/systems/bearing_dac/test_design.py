@@ -16,9 +16,9 @@ from verification.answers import Designed
 from verification.certificates import check
 from verification.certificates.make import statements
 from verification.cli.main import main
-from verification.exact.cut_components import spread
-from verification.exact.cut_reference import enumerate_all
-from verification.exact.edge_choice import with_edge
+from verification.exact.cuts.cut_components import spread
+from verification.exact.cuts.cut_reference import enumerate_all
+from verification.exact.cuts.edge_choice import with_edge
 from verification.inputs import read_inputs
 from verification.systems.bearing_dac import design
 from verification.systems.bearing_dac.design import DESIGNS

@@ -11,7 +11,7 @@ from sensortrack.network_families import family_network
 from sensortrack.simulation import simulate
 from sensortrack.simulation.scenario import scenario_of
 from tests.sensortrack.test_bearing_simulation import changed
-from verification.exact.cuts import slowest, threshold
+from verification.exact.cuts.extreme import slowest, threshold
 from verification.systems.bearing_dac.cut_profiles import ENUMERATED, profile_of
 from verification.systems.bearing_dac.envelopes import envelopes
 

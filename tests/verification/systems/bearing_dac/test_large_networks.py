@@ -10,7 +10,7 @@ from sensortrack.errors import InputError
 from sensortrack.networks import Network, read_network
 from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate, statements
-from verification.exact import cell_bounds
+from verification.exact.cells import cell_bounds
 from verification.systems.bearing_dac import brackets, gains
 
 NETWORK = read_network("random_geometric:260,0.13,3")

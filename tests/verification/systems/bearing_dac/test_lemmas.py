@@ -13,7 +13,7 @@ from theory.systems.bearing_dac import SYSTEM
 from verification.certificates import check
 from verification.certificates.make import statements
 from verification.exact.evaluate import multiply
-from verification.exact.gap_vectors import laplacian_rows
+from verification.exact.laplacians.gap_vectors import laplacian_rows
 from verification.systems.bearing_dac.lemmas import (
     LEMMA_DECISIONS,
     centring,

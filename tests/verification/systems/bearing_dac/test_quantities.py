@@ -16,7 +16,8 @@ from tests.strategies import networks, rationals
 from verification.answers import Answer
 from verification.certificates import check
 from verification.certificates.make import statements
-from verification.exact import cut_roads, slow_modes, spectral_gap
+from verification.exact.cuts import cut_roads
+from verification.exact.laplacians import slow_modes, spectral_gap
 from verification.inputs import read_inputs
 from verification.systems.bearing_dac import rates
 from verification.systems.bearing_dac.quantities import CONDITIONS, QUANTITIES

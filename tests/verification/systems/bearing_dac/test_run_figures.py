@@ -7,8 +7,8 @@ from itertools import pairwise
 import pytest
 
 from sensortrack.networks import read_network
-from verification.exact.filippov import filippov_run
-from verification.exact.prox import explicit_step, implicit_step
+from verification.exact.runs.filippov import filippov_run
+from verification.exact.runs.prox import explicit_step, implicit_step
 from verification.systems.bearing_dac.run_figures import (
     agreement_plot,
     chattering_plot,

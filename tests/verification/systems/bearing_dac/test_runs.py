@@ -13,9 +13,10 @@ from sensortrack.errors import InputError
 from sensortrack.kernels.links import links_of
 from sensortrack.networks import Network, read_network
 from tests.strategies import connected_networks, rationals
-from verification.exact import cut_roads, filippov
-from verification.exact.cuts import slowest, threshold
-from verification.exact.prox import centred, explicit_step, implicit_step
+from verification.exact.cuts import cut_roads
+from verification.exact.cuts.extreme import slowest, threshold
+from verification.exact.runs import filippov
+from verification.exact.runs.prox import centred, explicit_step, implicit_step
 from verification.systems.bearing_dac import runs
 from verification.systems.bearing_dac.rates import settling_time
 

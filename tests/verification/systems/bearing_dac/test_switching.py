@@ -18,9 +18,9 @@ from tests.strategies import connected_networks, rationals
 from verification.answers import Answer
 from verification.certificates import check
 from verification.certificates.make import CertificateError, certificate, statements
-from verification.exact import cut_families
-from verification.exact.cut_families import disjoint, worst_threshold
-from verification.exact.cut_reference import enumerate_all
+from verification.exact.cuts import cut_families
+from verification.exact.cuts.cut_families import disjoint, worst_threshold
+from verification.exact.cuts.cut_reference import enumerate_all
 from verification.inputs import read_inputs
 from verification.systems.bearing_dac import entry_gains, outages, switching
 from verification.systems.bearing_dac.quantities import QUANTITIES

@@ -172,8 +172,8 @@ def test_bad_inputs_are_named(quantity):
 
 
 def test_a_wide_bracket_gives_no_value(monkeypatch):
-    monkeypatch.setattr("verification.exact.modes.LADDER", ())
-    monkeypatch.setattr("verification.exact.spectral.WIDER", (Fraction(1, 10**4),))
+    monkeypatch.setattr("verification.exact.spectra.modes.LADDER", ())
+    monkeypatch.setattr("verification.exact.spectra.spectral.WIDER", (Fraction(1, 10**4),))
     wide = spectral_radius(scalars(1, 1, Fraction(21, 10), Fraction(1, 10)))
     assert (wide.verdict, wide.value) == ("UNDECIDED", None)
     assert Fraction(wide.lower) < Fraction(10, 11) < Fraction(wide.upper)

@@ -9,7 +9,7 @@ from sensortrack.networks import Network
 from theory.systems.bearing_dac.claim_statements.numerics import GAIN, GAMMA, LAMBDA, NODES, SHARP
 from verification.adversary.small_graphs import connected_graphs
 from verification.certificates.make import certificate
-from verification.exact.spectral_gap import connectivity_bracket
+from verification.exact.laplacians.spectral_gap import connectivity_bracket
 from verification.verdict import Decision, Verdict
 
 from ..claim_figures import steps_of_two_sensors

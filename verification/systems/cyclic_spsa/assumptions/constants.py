@@ -11,8 +11,8 @@ from verification.answers import Answer
 from verification.certificates.make import Item
 from verification.exact.evaluate import Rows, dot
 from verification.exact.rationals import above, below, nearest
-from verification.exact.rayleigh import generalized_ratio
 from verification.exact.semidefinite import Split
+from verification.exact.spectra.rayleigh import generalized_ratio
 from verification.exact.square_roots import square_root_beside
 
 from ..block_inputs import Block, block_of

@@ -17,7 +17,7 @@ import numpy as np
 
 from verification.enclosures import ball
 from verification.exact.evaluate import trace
-from verification.exact.modes import doubles, middle
+from verification.exact.spectra.modes import doubles, middle
 
 from ..block_inputs import Block
 from ..stability.moments import DOUBLES, Operators, noise_moments

@@ -11,8 +11,8 @@ from typing import Any
 from theory.algebra.moments.laws import SymmetricLaw, gaussian, two_point
 from theory.systems.cyclic_spsa.stationary import excess, kick_of_mean, kick_of_noise
 from verification.exact.evaluate import dot
-from verification.exact.matrix_roots import root_enclosure
 from verification.exact.solving import solved
+from verification.exact.spectra.matrix_roots import root_enclosure
 
 from ..block_inputs import Block
 from ..stability.moments import FLINT, evaluated, exact_operators, fmpq

@@ -10,7 +10,7 @@ from sensortrack.errors import InputError
 from theory.systems.cyclic_spsa.bounds import CUTS, PRINTED, PROVED, SPLIT, Bound, evaluated, table
 from verification.answers import Answer, Input
 from verification.enclosures import ball, enclosure, ends, listed, single
-from verification.exact.spectral import Enclosure
+from verification.exact.spectra.spectral import Enclosure
 from verification.input_kinds import positive
 
 BITS = 256

@@ -14,8 +14,8 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.answers import Answer, Detail
 from verification.exact.log_means import gaussian_log_mean
-from verification.exact.modes import exact
 from verification.exact.rationals import above, below, nearest
+from verification.exact.spectra.modes import exact
 from verification.input_kinds import positive
 
 from ..block_inputs import Block, block_of

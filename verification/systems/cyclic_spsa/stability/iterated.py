@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from verification.exact.modes import exact, middle
+from verification.exact.spectra.modes import exact, middle
 
 from ..block_inputs import Block
 from .moments import Operators, double_operators, exact_operators

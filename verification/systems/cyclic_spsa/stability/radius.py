@@ -10,7 +10,7 @@ from verification.answers import Answer
 from verification.exact.evaluate import Rows
 from verification.exact.rationals import above, below, nearest
 from verification.exact.roots import Algebraic
-from verification.exact.spectral import spectral_radius as matrix_radius
+from verification.exact.spectra.spectral import spectral_radius as matrix_radius
 from verification.input_kinds import positive
 
 from ..block_inputs import Block, block_of

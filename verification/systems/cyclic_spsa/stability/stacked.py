@@ -16,7 +16,7 @@ import numpy as np
 
 from verification.exact.balls import half_exponent
 from verification.exact.evaluate import Rows
-from verification.exact.modes import exact, middle
+from verification.exact.spectra.modes import exact, middle
 
 from ..block_inputs import Block
 from .moments import exact_operators

@@ -8,8 +8,8 @@ from typing import Any
 
 from verification.certificates.make import certificate
 from verification.exact.evaluate import Rows, identity
-from verification.exact.modes import candidates, integer_matrices
-from verification.exact.stein import staying_form
+from verification.exact.spectra.modes import candidates, integer_matrices
+from verification.exact.spectra.stein import staying_form
 from verification.verdict import Decision, Verdict
 
 from ..claim_figures import radii_of_late_data

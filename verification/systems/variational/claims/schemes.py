@@ -11,8 +11,8 @@ from theory.systems.variational.statements.common import lagrangian
 from verification.certificates.make import certificate
 from verification.exact.definite import is_definite
 from verification.exact.evaluate import Rows, add, identity, scaled
-from verification.exact.modes import candidates, integer_matrices
-from verification.exact.stein import staying_form
+from verification.exact.spectra.modes import candidates, integer_matrices
+from verification.exact.spectra.stein import staying_form
 from verification.verdict import Decision, Verdict
 
 from ..claim_figures import growing_errors

@@ -1,0 +1,1 @@
+"""Routings of large networks, cell by cell."""

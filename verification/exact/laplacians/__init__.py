@@ -1,0 +1,1 @@
+"""The smallest eigenvalues of large sparse Laplacians."""

@@ -1,0 +1,1 @@
+"""Eigenvalues, decay and peaks of dense matrices, enclosed."""
