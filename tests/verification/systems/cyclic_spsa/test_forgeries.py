@@ -155,3 +155,12 @@ def test_other_steps_and_directions_stand_for_nothing():
     turned = {"C": [[12, -9], [16, -12]], "a": [["3/5"], ["4/5"]], "b": [["4/5"], ["-3/5"]]}
     with pytest.raises(CertificateError, match="diag"):
         made("section_3_neighbours", turned, (), "REFUTED")
+
+
+def test_half_a_cycle_is_none():
+    halves = {"k": "3/2", "T": 1, "S": "3/2", "u": "3/2", "v": 1}
+    with pytest.raises(CertificateError, match="== 0"):
+        made("algorithm_1_clock", halves, (), "REFUTED")
+    with pytest.raises(CertificateError, match="== 0"):
+        made("section_3_shift", {"k": "3/2", "T": 1, "u": 1, "l": 1}, (), "REFUTED")
+    made("algorithm_1_clock", {"k": 2, "T": 1, "S": 2, "u": 2, "v": 1}, (), "REFUTED")

@@ -89,12 +89,17 @@ def _refuted(name: str, words: str, show: tuple[str, ...], inputs: dict[str, str
     return Statement("cyclic_spsa", name, {"REFUTED": Case("REFUTED", words, show)}, inputs)
 
 
+def _small(*names: str) -> tuple[str, ...]:
+    """They are whole: 1, 2, 3 or 4."""
+    return tuple("*".join(f"({name} - {k})" for k in (1, 2, 3, 4)) + " == 0" for name in names)
+
+
 def _clock() -> Statement:
     return _refuted(
         "algorithm_1_clock",
         "pair u of cycle T and pair v of the later cycle S, both among the k pairs of a cycle, "
-        "have the same printed instant, 2T + 2u = 2S + 2v",
-        ("T >= 1", "S > T", "u >= 1", "u <= k", "v >= 1", "v <= k", "2*T + 2*u == 2*S + 2*v"),
+        "have the same printed instant, 2T + 2u = 2S + 2v; all are whole numbers from 1 to 4",
+        (*_small(*"kTSuv"), "S > T", "u <= k", "v <= k", "2*T + 2*u == 2*S + 2*v"),
         dict.fromkeys(("k", "T", "S", "u", "v"), "number"),
     )
 
@@ -103,8 +108,9 @@ def _shift() -> Statement:
     return _refuted(
         "section_3_shift",
         "block u of k, updated at 2k(T-1) + 2u, is 2kT - (2k(T-1) + 2u) = l instants old at the "
-        "end of cycle T, and u shifts by 2k - 2 go back u(2k - 2), another number",
-        ("T >= 1", "u >= 1", "u <= k", "2*k*T - (2*k*(T - 1) + 2*u) == l", "u*(2*k - 2) != l"),
+        "end of cycle T, and u shifts by 2k - 2 go back u(2k - 2), another number; k, T and u are "
+        "whole numbers from 1 to 4",
+        (*_small(*"kTu"), "u <= k", "2*k*T - (2*k*(T - 1) + 2*u) == l", "u*(2*k - 2) != l"),
         dict.fromkeys(("k", "T", "u", "l"), "number"),
     )
 

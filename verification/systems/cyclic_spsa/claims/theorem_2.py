@@ -106,7 +106,8 @@ def interval() -> Decision:
         reason="For one sensor and one target at rest, K = sigma^2 = 1, alpha = 1/20 and beta = "
         f"3/100 the interval of Theorem 2 is (0, 1/6) and its bound {float(literal['bound']):.5g}, "
         "and second moments of the error do not decay, by an exact certificate. The same holds "
-        "with the sharp constants mu = M = 1 in the printed Theorem 1.",
+        "with the sharp constants mu = M = 1 in the printed Theorem 1. The limit of the step, "
+        f"{limit:.6g}, has a certificate too.",
         printed="alpha < 1/6 in the example",
         sharp=f"alpha < {limit:.6g} in the example",
         printed_value=1 / 6,

@@ -229,8 +229,8 @@ def l_bar() -> Decision:
         margin_text=f"{ratio:.3g} times that of Theorem 1 in the example",
         repair="With alpha and the bracket in their places it is that of Theorem 1, as an "
         "identity.",
-        repair_formula=r"\bar l^j=6d\tfrac\alpha\beta c_4+6\alpha d^2\bigl(c_2+M^2(\delta_\theta+"
-        r"2\beta\sqrt d)^2\bigr)+2\delta_\theta(\dots)",
+        repair_formula=r"\begin{array}{l}\bar l^j=6d\tfrac\alpha\beta c_4+2\delta_\theta(\dots) \\"
+        r"\quad+6\alpha d^2\bigl(c_2+M^2(\delta_\theta+2\beta\sqrt d)^2\bigr)\end{array}",
         certificates=replayed("theorem_2_l", {**lines, "nested": nested})
         | proofs("theorem_2_l_repair"),
     )
