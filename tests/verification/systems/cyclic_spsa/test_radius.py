@@ -5,6 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from verification.systems.cyclic_spsa.stability import radius as radii
 from verification.systems.cyclic_spsa.stability.radius import spectral_radius
 
 from .test_stability import block, radius
@@ -41,3 +42,19 @@ def test_hessians_close_to_singular_ones_are_proved(seed):
     assert answer.verdict == "PROVED"
     assert answer.value == pytest.approx(radius(values, float(alpha)), rel=1e-8)
     assert answer.lower <= answer.value <= answer.upper
+
+
+@pytest.mark.parametrize("miss, value", [(Fraction(0), 0.9802), (Fraction(1, 10**8), None)])
+def test_a_candidate_that_is_not_proved_must_have_a_small_residual(monkeypatch, miss, value):
+    """P = (1, -1)(1, -1)' is multiplied by 1 - 2 alpha/10 + 2 (alpha/10)^2, without noise."""
+    line = [[Fraction(1), Fraction(-1)], [Fraction(-1), Fraction(1)]]
+    hessian = ((Fraction(1), Fraction(9, 10)), (Fraction(9, 10), Fraction(1)))
+    values = block(H=hessian, Xi=((Fraction(0),) * 2,) * 2, eta=(Fraction(0),) * 2)
+    alpha = Fraction(1, 10)
+    near = 1 - alpha / 5 + alpha**2 / 50 + miss
+    monkeypatch.setattr(radii, "MOST_STACKED", 0)
+    monkeypatch.setattr(radii, "leading_multiplier", lambda *_: (near, line))
+    monkeypatch.setattr(radii, "_proved", lambda *_: None)
+    found = spectral_radius(values | {"alpha": alpha})
+    assert found.value == value
+    assert found.verdict == ("UNDECIDED" if value is None else "SUPPORTED")

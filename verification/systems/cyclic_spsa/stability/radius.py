@@ -16,14 +16,17 @@ from verification.input_kinds import positive
 from ..block_inputs import Block, block_of
 from .iterated import leading_multiplier
 from .limits import ALGEBRAIC, BITS, DOUBLE_BITS, LARGE_BITS, MOST_STACKED, WIDTHS
-from .moments import rows_of
+from .moments import exact_operators, fmpq, rows_of
 from .stacked import Matrix, Stacked, whole
-from .witnesses import ROUNDINGS, algebraic_radius, multiplies
+from .witnesses import ROUNDINGS, algebraic_radius, flint_of, multiplies
 
 PLANE = 2
 """Coordinates up to which the operator may leave a singular second moment as it is."""
 
 TIGHT = WIDTHS[:3]
+
+SMALL = Fraction(1, 10**11)
+"""Residual up to which a candidate is an answer."""
 
 FLOATING = "computed in doubles; no bounds of relative width 1e-6 were proved"
 
@@ -102,7 +105,7 @@ def _proved(
 
 
 def _large(block: Block, step: Fraction) -> Answer:
-    near = None
+    near, p = None, list[list[Fraction]]()
     for bits, widths in ((None, TIGHT), (LARGE_BITS[0], WIDTHS), (LARGE_BITS[1], WIDTHS)):
         found = leading_multiplier(block, step, bits)
         if found is None:
@@ -112,6 +115,15 @@ def _large(block: Block, step: Fraction) -> Answer:
             ends = _proved(block, step, near, p, width / 2, DOUBLE_BITS)
             if ends is not None:
                 return _answer(None, nearest(near), *ends)
-    if near is None:
+    if near is None or _residual(block, step, near, p) > SMALL:
         return Answer(verdict="UNDECIDED", notes=(FLOATING,))
     return Answer(value=nearest(near), notes=(FLOATING,))
+
+
+def _residual(block: Block, step: Fraction, near: Fraction, p: Matrix) -> Fraction:
+    """Largest entry of L(P) - near P over that of P."""
+    operators, matrix = exact_operators(block), fmpq(tuple(map(tuple, p)))
+    image = matrix - operators.pull(matrix) * flint_of(step)
+    image = image + operators.kick(matrix) * flint_of(step) ** 2 - matrix * flint_of(near)
+    missed, whole_ = (max(abs(x) for row in rows_of(m) for x in row) for m in (image, matrix))
+    return missed / whole_

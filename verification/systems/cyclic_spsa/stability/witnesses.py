@@ -24,14 +24,14 @@ Item = dict[str, Any]
 def decays(block: Block, z: Rows, step: Fraction) -> bool:
     """Whether HZ + ZH - step K*(HZH) is positive definite."""
     operators, matrix = exact_operators(block), fmpq(z)
-    rest = operators.adjoint_pull(matrix) - operators.adjoint_kick(matrix) * _flint(step)
+    rest = operators.adjoint_pull(matrix) - operators.adjoint_kick(matrix) * flint_of(step)
     return congruence(rows_of(rest)) is not None
 
 
 def grows(block: Block, p: Rows, step: Fraction) -> bool:
     """Whether P and step K(HPH) - (HP + PH) are positive definite."""
     operators, matrix = exact_operators(block), fmpq(p)
-    rest = operators.kick(matrix) * _flint(step) - operators.pull(matrix)
+    rest = operators.kick(matrix) * flint_of(step) - operators.pull(matrix)
     return congruence(p) is not None and congruence(rows_of(rest)) is not None
 
 
@@ -41,13 +41,14 @@ def multiplies(block: Block, p: Rows, step: Fraction, low: Fraction, high: Fract
     Then the spectral radius of L, which keeps semidefinite matrices so, is between low and high.
     """
     operators, matrix = exact_operators(block), fmpq(p)
-    alpha = _flint(step)
+    alpha = flint_of(step)
     image = matrix - operators.pull(matrix) * alpha + operators.kick(matrix) * alpha**2
-    forms = (matrix, image - matrix * _flint(low), matrix * _flint(high) - image)
+    forms = (matrix, image - matrix * flint_of(low), matrix * flint_of(high) - image)
     return all(congruence(rows_of(form)) is not None for form in forms)
 
 
-def _flint(x: Fraction) -> Any:
+def flint_of(x: Fraction) -> Any:
+    """A rational as a `flint.fmpq`."""
     import flint
 
     return flint.fmpq(x.numerator, x.denominator)
@@ -131,7 +132,7 @@ def kept_at(stacked: Stacked, step: Fraction, near: Matrix) -> Rows | None:
     """
     import flint
 
-    rest = stacked.pull - stacked.kick * _flint(step)
+    rest = stacked.pull - stacked.kick * flint_of(step)
     if rest.det() != 0:
         return None
     size = stacked.block.size
@@ -141,7 +142,7 @@ def kept_at(stacked: Stacked, step: Fraction, near: Matrix) -> Rows | None:
     flat = [near[i][j] for i in range(size) for j in range(i + 1)]
     scale = max(abs(x) for x in flat)
     values = dict.fromkeys(range(columns), flint.fmpq(0))
-    values |= {j: _flint(Fraction(round(flat[j] / scale * 2**20), 2**20)) for j in free}
+    values |= {j: flint_of(Fraction(round(flat[j] / scale * 2**20), 2**20)) for j in free}
     if len(free) == 1:
         values[free[0]] = flint.fmpq(1)
     for i, lead in enumerate(leads):
