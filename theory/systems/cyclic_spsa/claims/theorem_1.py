@@ -91,8 +91,9 @@ UNITS_L = Claim(
     source="Erofeeva & Granichin, Theorem 1, l",
     title="The bound on the error is the same in kilometres and in metres",
     statement="All terms of l have one unit, so that (21) does not depend on the unit of length.",
-    formula=r"\bar l=2\alpha d\Bigl(c_v^2+3\bigl(\tfrac{c_4}\beta+\dots\bigr)\Bigr)+"
-    r"2\delta_\theta(\dots+3\mu\delta_\theta^2)",
+    formula=r"\begin{array}{l}"
+    r"\bar l=2\alpha d\bigl(c_v^2+3\bigl(\tfrac{c_4}\beta+\dots\bigr)\bigr) \\"
+    r"\quad+2\delta_\theta(\dots+3\mu\delta_\theta^2)\end{array}",
     sense="property",
     assumes=ALL,
     printed="c_v^2, c4/beta, 3 mu delta^2 beside terms of other units",

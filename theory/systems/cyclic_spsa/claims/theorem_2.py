@@ -138,8 +138,9 @@ L_BAR = _claim(
     "Erofeeva & Granichin, Theorem 2, l-bar",
     "l-bar of Theorem 2 is that of Theorem 1 with the constants of Theorem 2",
     "Put into Theorem 1, the constants of Theorem 2 give the l-bar that it prints.",
-    r"\bar l^j=6d\tfrac\alpha\beta c_4+6d^2\bigl(c_2+M^2(\delta_\theta+2\beta\sqrt d)^2+"
-    r"2\delta_\theta(\dots)\bigr)",
+    r"\begin{array}{l}\bar l^j=6d\tfrac\alpha\beta c_4 \\"
+    r"\quad+6d^2\bigl(c_2+M^2(\delta_\theta+2\beta\sqrt d)^2+2\delta_\theta(\dots)\bigr)"
+    r"\end{array}",
     "equality",
     "6 d^2(c2 + ... + 2 delta(...))",
 )

@@ -153,8 +153,8 @@ def measured_weights() -> Decision:
         margin_text="0.5 % too near at 5 %",
         repair="With a weight that is the same for all outcomes the fit is right in the mean, as "
         "the largest trace over time gives it.",
-        repair_formula=r"\operatorname{argmin}_xE\frac{(z-x)^2}{\sigma^2}=E z,\qquad "
-        r"\sigma\ \text{not a function of}\ z",
+        repair_formula=r"\begin{array}{l}\operatorname{argmin}_xE\frac{(z-x)^2}{\sigma^2}=E z \\"
+        r"\sigma\ \text{not a function of}\ z\end{array}",
         certificates=replayed("eq_20_weights_measured", inputs) | proofs("eq_20_weights_steady"),
         replay=rows,
     )

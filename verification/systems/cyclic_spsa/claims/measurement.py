@@ -46,8 +46,9 @@ def zero_mean() -> Decision:
         repair="With the offset in (13) divided by the mean cosine g of the angle error the mean "
         "is exact, for every law whose sine has mean zero; a Gaussian one has g = "
         "exp(-sigma^2/2).",
-        repair_formula=r"\varphi^{-1}(s,z)=s+\frac{z_2}{g}\begin{bmatrix}\sin z_1\\\cos z_1"
-        r"\end{bmatrix},\qquad g=E\cos\varepsilon_1=e^{-\sigma_\psi^2/2}",
+        repair_formula=r"\begin{array}{l}\varphi^{-1}(s,z)=s+\frac{z_2}{g}"
+        r"\begin{bmatrix}\sin z_1\\\cos z_1\end{bmatrix} \\"
+        r"g=E\cos\varepsilon_1=e^{-\sigma_\psi^2/2}\end{array}",
         certificates=replayed("eq_2_zero_mean", inputs) | proofs("eq_2_zero_mean_repair"),
         replay=tuple(rows),
     )

@@ -108,8 +108,9 @@ def exact_covariance() -> Decision:
         "cos)^2, across it (1 + sigma_rho^2) E sin^2, and nothing is mixed, for all laws that are "
         "symmetric; a Gaussian one has E cos = exp(-sigma_psi^2/2) and E cos^2 = (1 + exp(-2 "
         "sigma_psi^2))/2.",
-        repair_formula=r"\frac{\Xi_\parallel}{\rho^2}=(1+\sigma_\rho^2)E\cos^2\varepsilon"
-        r"-(E\cos\varepsilon)^2,\ \frac{\Xi_\perp}{\rho^2}=(1+\sigma_\rho^2)E\sin^2\varepsilon",
+        repair_formula=r"\begin{array}{l}"
+        r"\frac{\Xi_\parallel}{\rho^2}=(1+\sigma_\rho^2)E\cos^2\varepsilon-(E\cos\varepsilon)^2 \\"
+        r"\frac{\Xi_\perp}{\rho^2}=(1+\sigma_\rho^2)E\sin^2\varepsilon\end{array}",
         relies_on=tuple(files["cyclic_spsa.eq_14_exact"]["relies_on"]),
         certificates=files | proofs("eq_14_exact_repair"),
         replay=rows,

@@ -65,8 +65,8 @@ def every_point() -> Decision:
         margin_text="the assumption says nothing about x",
         repair="With the change of the cost at x on the left and the squared distance of x from "
         "theta_(t-1) on the right, for every x, the mean square of the pseudogradient is bounded.",
-        repair_formula=r"E\bigl(f_{w_t}(x)-f_{w_{t-1}}(x)\bigr)^2\le "
-        r"c_3\lVert x-\theta_{t-1}\rVert^2+c_4\quad\text{for every }x",
+        repair_formula=r"\begin{array}{l}E\bigl(f_{w_t}(x)-f_{w_{t-1}}(x)\bigr)^2 \\"
+        r"\quad\le c_3\lVert x-\theta_{t-1}\rVert^2+c_4\quad\text{for every }x\end{array}",
         relies_on=relied(made),
         certificates=made,
     )
@@ -170,8 +170,9 @@ def units_l() -> Decision:
         margin_text=f"the bound becomes {values[1] / values[0]:.3g} times itself with the unit",
         repair="With c4 and c_v^2 over 4 beta^2, and the drift terms as the proof gives them, the "
         "bound is one length in every unit.",
-        repair_formula=r"l=M\delta^2+3\alpha d\Bigl(2dc_2+2d^2M^2\beta^2+"
-        r"\frac{c_3(\delta^2+d\beta^2)+c_4+c_v^2}{4\beta^2}\Bigr)",
+        repair_formula=r"\begin{array}{l}l=M\delta^2+6\alpha d^2(c_2+dM^2\beta^2) \\"
+        r"\quad+\frac{3\alpha d}{4\beta^2}\bigl(c_3(\delta^2+d\beta^2)+c_4+c_v^2\bigr)"
+        r"\end{array}",
         certificates=replayed("theorem_1_units_l", inputs) | proofs("theorem_1_units_repair"),
     )
 
