@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any
 from sensortrack.errors import InputError
 
 from .answers import Input
-from .input_kinds import KINDS, Kind, Setting, brief, nearest, shown
+from .input_kinds import KINDS, Kind
+from .input_numbers import Setting
+from .input_words import brief, nearest, shown
 
 if TYPE_CHECKING:
     from sensortrack.networks import Network

@@ -11,7 +11,8 @@ from sensortrack.errors import InputError
 from sensortrack.networks import read_network
 from tests.strategies import rationals
 from verification.answers import Input
-from verification.input_kinds import KINDS, nearest
+from verification.input_kinds import KINDS
+from verification.input_words import nearest
 from verification.inputs import read_inputs
 
 GAINS = tuple(Input(name, "matrix", f"gain {name}") for name in "MKC")

@@ -12,7 +12,7 @@ from pathlib import Path
 from sensortrack.errors import InputError
 from verification.answers import Answer, Condition, Quantity
 from verification.files import certificate_text, require_target, write_text
-from verification.input_kinds import brief, nearest
+from verification.input_words import brief, nearest
 from verification.inputs import read_inputs
 from verification.progress import shown_on_terminal
 from verification.systems import SYSTEMS

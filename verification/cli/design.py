@@ -14,7 +14,7 @@ from sensortrack.errors import InputError
 from verification.answers import Design, Designed
 from verification.exact.rationals import nearest as nearest_double
 from verification.files import certificate_text, require_folder, write_text
-from verification.input_kinds import brief, nearest
+from verification.input_words import brief, nearest
 from verification.inputs import read_inputs
 from verification.plain_text import harmless
 from verification.systems import SYSTEMS

@@ -12,7 +12,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.exact.rationals import nearest as nearest_double
 from verification.files import require_folder, write_text
-from verification.input_kinds import brief, nearest
+from verification.input_words import brief, nearest
 from verification.inputs import read_inputs
 
 from . import given

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sensortrack.errors import InputError
-from verification.input_kinds import shown
+from verification.input_words import shown
 
 if TYPE_CHECKING:
     from sensortrack.networks import Network

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from sensortrack.errors import InputError
-from verification.input_kinds import brief, nearest
+from verification.input_words import brief, nearest
 
 if TYPE_CHECKING:
     from theory.system import System

@@ -100,7 +100,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _run(arguments: list[str]) -> int:
     chosen = next((text for text in arguments if not text.startswith("-")), None)
     if chosen is not None and chosen not in COMMANDS:
-        from verification.input_kinds import brief, nearest
+        from verification.input_words import brief, nearest
 
         hint = nearest(chosen, list(COMMANDS)) or "'sensortrack --help' lists them"
         raise Misuse(f"{brief(chosen)}: no such command; {hint}")

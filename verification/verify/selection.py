@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from sensortrack.errors import InputError
 from theory.claims import Claim
 from theory.systems import SYSTEMS
-from verification.input_kinds import brief, nearest
+from verification.input_words import brief, nearest
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from verification.answers import Detail
 from verification.exact.cuts.edge_choice import EdgeChoice, choose_edge
 from verification.exact.cuts.extreme import CutBracket, threshold
 from verification.exact.rationals import nearest
-from verification.input_kinds import brief
+from verification.input_words import brief
 
 from .network_inputs import Numbers
 

@@ -14,7 +14,7 @@ from verification.exact.cuts.cut_components import components, spread
 from verification.exact.cuts.edge_choice import with_edge
 from verification.exact.cuts.extreme import CutBracket, slowest, threshold
 from verification.exact.rationals import above, nearest
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from .brackets import NO_WITNESS
 from .critical import edge_of

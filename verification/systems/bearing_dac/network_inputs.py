@@ -9,7 +9,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from sensortrack.networks import Network
 from verification.exact.cuts.cut_components import even, flat
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 Numbers = tuple[Fraction, ...]
 

@@ -14,7 +14,7 @@ from verification.exact.cuts.cut_components import spread
 from verification.exact.cuts.extreme import CutBracket, slowest
 from verification.exact.rationals import above, below, nearest, root
 from verification.exact.runs.filippov import LongRunError, Run, filippov_run
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from .brackets import NO_WITNESS, OPEN, SYSTEM, TOO_LONG
 from .gains import reaches_printed_gain

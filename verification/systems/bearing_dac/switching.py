@@ -24,7 +24,7 @@ from verification.exact.cuts.cut_components import flat
 from verification.exact.cuts.cut_families import disjoint, worst_threshold
 from verification.exact.cuts.extreme import CutBracket, threshold
 from verification.exact.rationals import below, nearest
-from verification.input_kinds import brief
+from verification.input_words import brief
 
 from .brackets import SYSTEM, answer
 from .critical import cut_detail

@@ -11,7 +11,7 @@ from sensortrack.errors import InputError
 from verification.answers import Input
 from verification.exact.definite import congruence
 from verification.exact.evaluate import Rows
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 READINGS = {"one": 1, "two": 2}
 """Measurement instants of a step."""

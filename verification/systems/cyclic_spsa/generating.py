@@ -10,7 +10,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from theory.systems.cyclic_spsa.stepper import STEPPER
 from verification.exact.evaluate import Rows, identity, scaled
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from .block_inputs import ALPHA, BETA, HESSIAN, hessian_of
 from .stability.steps import decide_step

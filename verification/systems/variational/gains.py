@@ -9,7 +9,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.exact.definite import asymmetry, negative_vector
 from verification.exact.evaluate import Rows, quadratic
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 NAMES = ("M", "K", "C")
 

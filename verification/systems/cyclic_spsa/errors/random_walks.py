@@ -9,7 +9,7 @@ from typing import Any
 
 from verification.answers import Answer, Input
 from verification.exact.evaluate import Rows, add, identity, scaled
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from ..block_inputs import ALPHA, BETA, BLOCKS, HESSIAN, NOISE, READING, Block, block_of, covariance
 from ..stability.moments import fmpq

@@ -12,7 +12,7 @@ from verification.answers import Answer, Input
 from verification.enclosures import enclosure, ends, listed, single
 from verification.exact.definite import congruence
 from verification.exact.rationals import nearest, text
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from ..block_inputs import ALPHA, BLOCK, Block, block_of
 from .second_moments import BITS, Moments, moments_of

@@ -9,7 +9,7 @@ from typing import Any
 
 from verification.answers import Answer, Detail
 from verification.enclosures import ball, enclosure, ends, single
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from ..block_inputs import ALPHA
 from ..errors.second_moments import BITS, Moments, moments_of

@@ -11,7 +11,7 @@ from typing import Any
 from sensortrack.errors import InputError
 from verification.answers import Input
 from verification.exact.evaluate import Rows
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from ..block_inputs import BETA, READING, READINGS
 from .measurement_moments import MEASUREMENT

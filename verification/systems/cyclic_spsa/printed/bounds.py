@@ -11,7 +11,7 @@ from theory.systems.cyclic_spsa.bounds import CUTS, PRINTED, PROVED, SPLIT, Boun
 from verification.answers import Answer, Input
 from verification.enclosures import ball, enclosure, ends, listed, single
 from verification.exact.spectra.spectral import Enclosure
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 BITS = 256
 COORDINATES = Input("d", "number", "coordinates of a block, a whole number")

@@ -16,7 +16,7 @@ from verification.answers import Answer, Detail
 from verification.exact.log_means import gaussian_log_mean
 from verification.exact.rationals import above, below, nearest
 from verification.exact.spectra.modes import exact
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from ..block_inputs import Block, block_of
 from .witnesses import diagonal_limit

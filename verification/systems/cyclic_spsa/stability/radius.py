@@ -11,7 +11,7 @@ from verification.exact.evaluate import Rows
 from verification.exact.rationals import above, below, nearest
 from verification.exact.roots import Algebraic
 from verification.exact.spectra.spectral import spectral_radius as matrix_radius
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from ..block_inputs import Block, block_of
 from .iterated import leading_multiplier

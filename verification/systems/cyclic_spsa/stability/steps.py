@@ -12,7 +12,7 @@ from verification.answers import Answer, Detail
 from verification.certificates.make import CertificateError, certificate
 from verification.exact.evaluate import Rows
 from verification.exact.rationals import above, below, nearest
-from verification.input_kinds import positive
+from verification.input_words import positive
 
 from ..block_inputs import Block, block_of
 from .iterated import leading
