@@ -58,3 +58,10 @@ def test_a_candidate_that_is_not_proved_must_have_a_small_residual(monkeypatch, 
     found = spectral_radius(values | {"alpha": alpha})
     assert found.value == value
     assert found.verdict == ("UNDECIDED" if value is None else "SUPPORTED")
+
+
+def test_one_update_may_leave_nothing():
+    values = block(h=(Fraction(3),), Xi=((Fraction(0),),), eta=(Fraction(0),))
+    found = spectral_radius(values | {"alpha": Fraction(1, 3)})
+    assert found.exact == {"kind": "rational", "value": "0"}
+    assert (found.lower, found.value, found.upper) == (0, 0, 0)

@@ -103,7 +103,8 @@ def limit_of(block: Block) -> Limit | None:
     return None
 
 
-def _rational(x: Fraction) -> Algebraic:
+def rational(x: Fraction) -> Algebraic:
+    """A rational number as an algebraic one."""
     return Algebraic((-x.numerator, x.denominator), x, x, nearest(x))
 
 
@@ -131,7 +132,7 @@ def _at_rational(
         return None
     first = tuple((Fraction(x),) for x in line) if line else kept
     case = "PROVED line" if line else "PROVED exact"
-    return Limit(lower, limit, _rational(limit), z, case, (first, around(block, kept)))
+    return Limit(lower, limit, rational(limit), z, case, (first, around(block, kept)))
 
 
 def decaying_at(block: Block, step: Fraction) -> Rows | None:

@@ -15,7 +15,7 @@ from verification.input_words import positive
 
 from ..block_inputs import Block, block_of
 from .iterated import leading_multiplier
-from .limits import ALGEBRAIC, BITS, DOUBLE_BITS, LARGE_BITS, MOST_STACKED, WIDTHS
+from .limits import ALGEBRAIC, BITS, DOUBLE_BITS, LARGE_BITS, MOST_STACKED, WIDTHS, rational
 from .moments import exact_operators, fmpq, rows_of
 from .stacked import Matrix, Stacked, whole
 from .witnesses import ROUNDINGS, algebraic_radius, flint_of, multiplies
@@ -79,6 +79,8 @@ def _planar(stacked: Stacked, step: Fraction) -> Answer:
     low, high = Fraction(found.lower), Fraction(found.upper)
     if exact is not None and exact.low == exact.high:
         low = high = exact.low
+    if not high:  # one update may leave nothing
+        exact = rational(low)
     return _answer(exact, found.value, low, high)
 
 
