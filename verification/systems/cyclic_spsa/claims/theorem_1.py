@@ -69,7 +69,8 @@ def multiplier(given: Mapping[str, Fraction]) -> Fraction:
 
 def exact_limit(given: Mapping[str, Fraction]) -> Fraction:
     """The step from which that factor is no longer below 1."""
-    return 2 / (1 + (given["delta"] / (2 * given["beta"])) ** 2)
+    alpha, beta, delta = (given[name] for name in ("alpha", "beta", "delta"))
+    return Case(1, alpha, beta, Fraction(0), delta).limit
 
 
 def shortest_path(given: Mapping[str, Fraction], y: Fraction) -> tuple[tuple[str, ...], ...]:

@@ -34,7 +34,7 @@ def errors_over_steps(chosen: Case = MOVING, low: float = -4.0) -> Plot:
     low : float, optional
         Logarithm of the smallest step.
     """
-    steps = np.geomspace(10.0**low, 0.97 * exact_limit(chosen), STEPS)
+    steps = np.geomspace(10.0**low, 0.97 * float(chosen.limit), STEPS)
     rows = compared([replace(chosen, alpha=_short(a)) for a in steps])
     x: Floats = tuple(float(row.case.alpha) for row in rows)
     exact = tuple(row.exact for row in rows)
@@ -110,7 +110,7 @@ def steps_over_perturbations(
         Case(chosen.d, chosen.alpha, Fraction(float(b)), chosen.sigma, chosen.delta, chosen.k)
         for b in sizes
     ]
-    exact = tuple(exact_limit(entry) for entry in cases)
+    exact = tuple(float(entry.limit) for entry in cases)
     printed = tuple(float(limit(PRINTED, entry.constants())) for entry in cases)
     proved = tuple(float(limit(PROVED, entry.constants_at_every_point())) for entry in cases)
     x: Floats = tuple(sizes.tolist())
@@ -176,9 +176,3 @@ def simulated(chosen: Case, sizes: NDArray[np.float64], ends: tuple[float, float
         Dots(role, tuple(beta for beta, _ in dots), tuple(alpha for _, alpha in dots))
         for role, dots in found.items()
     ]
-
-
-def exact_limit(entry: Case) -> float:
-    """alpha sum (1 + N_ii) < 2 for the Hessian 1: two noises and the drift, over 2 beta."""
-    spread = 2 * entry.d * entry.sigma**2 + entry.delta**2
-    return float(2 / (entry.d + spread / (4 * entry.beta**2)))

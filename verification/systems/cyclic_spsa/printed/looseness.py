@@ -13,7 +13,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from ..block_inputs import block_of
 from ..errors.stationary import stationary_mse
+from ..stability.witnesses import diagonal_limit
 from .bounds import corrected_bound, printed_bound
 
 
@@ -43,6 +45,11 @@ class Case:
     sigma: Fraction
     delta: Fraction
     k: int = 1
+
+    @property
+    def limit(self) -> Fraction:
+        """The step from which second moments no longer decay."""
+        return diagonal_limit(block_of(self.block()))
 
     def block(self) -> dict[str, Any]:
         """Inputs of the questions about the exact error."""
