@@ -12,7 +12,7 @@ from verification.verdict import Decision, Verdict
 from ..printed.claim_figures import steps_over_perturbations
 from ..printed.looseness import Case
 from ..stability.steps import decide_step, step_limit
-from .common import disproof, proofs
+from .common import disproof, limit_document, proofs
 
 ALPHA, BETA = Fraction(1, 20), Fraction(3, 100)
 VARIANCE = Fraction(225, 4)
@@ -37,26 +37,20 @@ def targets(count: int, reading: str) -> dict[str, Any]:
 
 def step_interval() -> Decision:
     """The sum of the six constants is too large."""
+    summed, mean = (Fraction(1, 432) / least for least in (Fraction(1, 2), Fraction(1, 12)))
     return Decision(
         verdict=Verdict.REFUTED,
         reason="With K the sum of the six variances for a target, some sensor has M >= 1/2, for "
-        "all variances, and then mu/gamma <= 1/(432 M) <= 1/216; with the mean instead of the sum "
-        "it is at most 1/36. 1/20 is above both.",
+        f"all variances, and then mu/gamma <= 1/(432 M) <= {summed}; with the mean instead of the "
+        f"sum it is at most {mean}. {ALPHA} is above both.",
         printed="0.05",
-        sharp="below 1/216, or 1/36 with the mean",
+        sharp=f"below {summed}, or {mean} with the mean",
         printed_value=0.05,
-        sharp_value=1 / 216,
-        margin_text="at least 10.8 times too large, 1.8 times with the mean",
+        sharp_value=float(summed),
+        margin_text=f"at least {float(ALPHA / summed):.3g} times too large, "
+        f"{float(ALPHA / mean):.3g} times with the mean",
         certificates=disproof("section_5_step_interval"),
     )
-
-
-def limit_document(at: dict[str, Any]) -> tuple[float, dict[str, Any]]:
-    """The limit of the step, and its certificate."""
-    found = step_limit(at)
-    if found.certificate is None:
-        raise ValueError("h: the limit has no certificate; fewer coordinates are needed")
-    return float(found.value), found.certificate
 
 
 def step_document(at: dict[str, Any]) -> dict[str, Any]:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
+from theory.systems.cyclic_spsa.bounds import PRINTED
 from verification.verdict import Decision, Verdict
 
-from ..printed.claim_figures import steps_over_perturbations
+from ..printed.claim_figures import limit, steps_over_perturbations
 from ..printed.looseness import Case
 from ..printed.promises import promised
-from ..stability.steps import step_limit
 from . import theorem_1_assumptions, theorem_1_bound
-from .common import proofs, replayed
+from .common import limit_document, proofs, replayed
 from .theorem_1_assumptions import relied
 from .theorem_1_repair import PROOF, corrected
 
@@ -33,29 +33,28 @@ def interval() -> Decision:
         {**FAST, "alpha": Fraction(9, 1000), "c3": Fraction(21, 20), "c4": Fraction(6)}
     )
     at = Case(1, FAST["alpha"], FAST["beta"], Fraction(0), FAST["delta"])
-    document = step_limit(at.block()).certificate
+    _, document = limit_document(at.block())
     made = {
-        **({"cyclic_spsa.theorem_1_interval_limit": document} if document else {}),
+        "cyclic_spsa.theorem_1_interval_limit": document,
         **replayed("theorem_1_interval", {**drift, "start": START, "growth": GROWTH}),
         **replayed("theorem_1_interval_noise", {**noise, "growth": Fraction(13)}),
         **replayed("theorem_1_interval_every_point", {**every, "growth": multiplier(every)}),
     }
-    sharp = exact_limit(FAST)
-    limit = Fraction(1, 3)
+    sharp, printed = exact_limit(FAST), drift["limit"]
     return corrected(
         made,
         reason="For f_t(x) = (x - t)^2/2 without noise, beta = 3/100 and alpha = 1/5 < mu/gamma = "
-        "1/3, every path from a distance of 2 on grows by half in each step, whichever sign the "
-        f"perturbation has, while (21) promises {float(drift['bound']):.5g}. The same happens with "
-        "noise and no drift (the mean square grows 13 times in each step), and with Assumption 5 "
-        f"met at every point. In the mean square the limit of the step is {sharp}, by a "
+        f"{printed}, every path from a distance of 2 on grows by half in each step, whichever sign "
+        f"the perturbation has, while (21) promises {float(drift['bound']):.5g}. The same happens "
+        "with noise and no drift (the mean square grows 13 times in each step), and with Assumption "
+        f"5 met at every point. In the mean square the limit of the step is {sharp}, by a "
         "certificate. What differs between two instants is divided by beta and multiplies "
         "the error; the printed analysis has no such term.",
-        printed="alpha < 1/3 in the example",
+        printed=f"alpha < {printed} in the example",
         sharp=f"alpha < {sharp} in the example",
-        printed_value=float(limit),
+        printed_value=float(printed),
         sharp_value=float(sharp),
-        margin_text=f"{float(limit / sharp):.3g} times too large in the example",
+        margin_text=f"{float(printed / sharp):.3g} times too large in the example",
         replay=shortest_path(FAST, START),
         figure=steps_over_perturbations(at),
     )
@@ -113,20 +112,20 @@ def interval_one_instant() -> Decision:
 def static() -> Decision:
     """Where nothing changes between the instants the printed constants are large enough."""
     still = Case(3, Fraction(1, 27), Fraction(1), Fraction(0), Fraction(0))
-    document = step_limit(still.block()).certificate
+    printed, (sharp, document) = limit(PRINTED, still.constants()), limit_document(still.block())
     made = proofs("theorem_1_static", *PROOF)
-    made |= {"cyclic_spsa.theorem_1_bound_static_limit": document} if document else {}
+    made |= {"cyclic_spsa.theorem_1_bound_static_limit": document}
     return Decision(
         verdict=Verdict.PROVED,
         reason="With delta = c2 = c3 = c4 = c_v = 0 the printed m is that of the repaired proof, "
         "and the printed b and l are not below its b and l, for all constants; the bound grows "
         "with both. The interval is safe and short: for mu = M = h the error of d coordinates "
         "stays bounded below alpha = 2/(h d), for d = 3 and h = 1 by a certificate of the limit "
-        "2/3 beside the printed 1/27.",
+        f"{still.limit} beside the printed {printed}.",
         printed="alpha < 1/(3 d^2 h) for mu = M = h",
         sharp="alpha < 2/(h d)",
-        printed_value=1 / 27,
-        sharp_value=2 / 3,
+        printed_value=float(printed),
+        sharp_value=sharp,
         margin_text="the interval could be 6 d times as long",
         relies_on=relied(made),
         certificates=made,

@@ -12,8 +12,7 @@ from verification.verdict import Decision, Verdict
 from ..printed.promises import promised, promised_2
 from ..stability.steps import decide_step
 from . import theorem_2_constants
-from .common import proofs
-from .experiment import limit_document
+from .common import limit_document, proofs
 from .theorem_1_assumptions import relied
 from .theorem_1_repair import PROOF, REPAIR_FORMULA
 
