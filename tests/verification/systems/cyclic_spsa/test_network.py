@@ -11,9 +11,10 @@ from sensortrack.errors import InputError
 from sensortrack.nearest import nearest_schedules, shares
 from sensortrack.schedules import Schedule
 from verification.certificates import check
-from verification.certificates.make import statements
+from verification.certificates.make import CertificateError, statements
 from verification.inputs import read_inputs
 from verification.systems.cyclic_spsa.block_inputs import BLOCK, block_of
+from verification.systems.cyclic_spsa.network import limits
 from verification.systems.cyclic_spsa.network.inputs import network_of
 from verification.systems.cyclic_spsa.network.limits import LIMITED, network_step_limit
 from verification.systems.cyclic_spsa.network.plans import block_of_plan, plans_of
@@ -235,3 +236,16 @@ def test_the_best_choice_has_a_limit_where_the_nearest_one_fails():
     assert found.more["other"]().data == {"assignment": "nearest", "limit": None}
     with pytest.raises(InputError, match=r"^sensors: sensor 0, "):
         ask(**PLAIN | given_)
+
+
+def test_a_certificate_that_cannot_be_made_says_why(monkeypatch):
+    before = ask(**PLAIN)
+
+    def refused(*_, **__):
+        raise CertificateError("too many digits")
+
+    monkeypatch.setattr(limits, "certificate", refused)
+    answer = ask(**PLAIN)
+    assert answer.certificate is None
+    assert "no certificate: too many digits" in answer.notes
+    assert answer.exact == before.exact

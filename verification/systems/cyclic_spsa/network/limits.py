@@ -54,10 +54,8 @@ def network_step_limit(values: Mapping[str, Any]) -> Answer:
     network = network_of(values)
     plans = plans_of(network)
     worst = min(plans, key=lambda plan: plan.limit)
-    document, notes = _proved(network, plans), [FIRST_ORDER]
-    if document is None:
-        notes.append(TOO_LARGE.format(LARGEST))
-    notes += searched(plans)
+    document, missing = _proved(network, plans)
+    notes = [FIRST_ORDER, *missing, *searched(plans)]
     return Answer(
         value=nearest(worst.limit),
         exact={"kind": "rational", "value": text(worst.limit)},
@@ -99,12 +97,14 @@ def printed_limit(plans: Sequence[Plan], targets: int) -> Fraction:
     return min(limits)
 
 
-def _proved(network: Network, plans: Sequence[Plan]) -> dict[str, Any] | None:
-    """The certificate about all blocks, None if there are too many of them."""
+def _proved(
+    network: Network, plans: Sequence[Plan]
+) -> tuple[dict[str, Any] | None, tuple[str, ...]]:
+    """The certificate about all blocks, or None and why there is none."""
     pairs = [(plan, i) for plan in plans for i in plan.hessian]
     blocks = [(plan, block) for plan in plans for block in plan.blocks.blocks]
     if max(len(pairs), len(blocks)) > LARGEST:
-        return None
+        return None, (TOO_LARGE.format(LARGEST),)
     inside = [[int(own is plan and i in block) for plan, i in pairs] for own, block in blocks]
     spreads = [network.variances[plan.sources.sources[i]][i] for plan, i in pairs]
     drifts = [network.drifts[i] for _, i in pairs]
@@ -120,9 +120,10 @@ def _proved(network: Network, plans: Sequence[Plan]) -> dict[str, Any] | None:
     upper = 2 / max(loads)
     try:
         witness = _witness(drifts, loads, upper)
-        return certificate("cyclic_spsa", "network_step_limit", data, witness, upper=upper)
-    except CertificateError:
-        return None
+        made = certificate("cyclic_spsa", "network_step_limit", data, witness, upper=upper)
+    except CertificateError as error:
+        return None, (f"no certificate: {error}",)
+    return made, ()
 
 
 def _witness(
