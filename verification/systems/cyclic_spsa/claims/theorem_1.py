@@ -47,8 +47,8 @@ def interval() -> Decision:
         f"{printed}, every path from a distance of 2 on grows by half in each step, whichever sign "
         f"the perturbation has, while (21) promises {float(drift['bound']):.5g}. The same happens "
         "with noise and no drift (the mean square grows 13 times in each step), and with "
-        f"Assumption 5 met at every point. In the mean square the limit of the step is {sharp}, by a "
-        "certificate. What differs between two instants is divided by beta and multiplies "
+        f"Assumption 5 met at every point. In the mean square the limit of the step is {sharp}, by "
+        "a certificate. What differs between two instants is divided by beta and multiplies "
         "the error; the printed analysis has no such term.",
         printed=f"alpha < {printed} in the example",
         sharp=f"alpha < {sharp} in the example",
